@@ -16,7 +16,8 @@ namespace {
 // other encroach upon each other however short their edges are.
 constexpr double kShortestEdge = 0.02;
 
-// Returns the hit furthest from p, and that nearest to it. pre: there are hits.
+}  // namespace
+
 Vec3 furthest(std::span<const Hit> hits, const Vec3& p) {
   return std::ranges::max_element(hits, {}, [&](const Hit& x) { return distance2(x.point, p); })
       ->point;
@@ -26,8 +27,6 @@ Vec3 nearest(std::span<const Hit> hits, const Vec3& p) {
   return std::ranges::min_element(hits, {}, [&](const Hit& x) { return distance2(x.point, p); })
       ->point;
 }
-
-}  // namespace
 
 Recovery::Recovery(RestrictedDelaunay del, const BoundaryCurves& curves,
                    std::span<const SiteId> ids, const Options& options, Report& report)

@@ -80,4 +80,8 @@ class Recovery {
   std::vector<double> poles_;            // by site; empty: not known
 };
 
+// Returns the hit furthest from p, and that nearest to it. pre: there are hits.
+Vec3 furthest(std::span<const Hit> hits, const Vec3& p);
+Vec3 nearest(std::span<const Hit> hits, const Vec3& p);
+
 }  // namespace deliso::paper
