@@ -35,14 +35,13 @@ bool has(std::string_view text, std::string_view part) {
 
 }  // namespace
 
-TEST_CASE("the page has every array of the events, of one length, and both ways' own") {
+TEST_CASE("the page has every array of the events, of one length, and both programs' own") {
   for (const bool paper : {false, true}) {
     CAPTURE(paper);
-    const std::string page =
-        page_of(paper ? "builtin:torus:16 --recover paper" : "builtin:torus:16");
+    const std::string page = page_of(paper ? "builtin:torus:16 --paper" : "builtin:torus:16");
     const std::string_view header = element_of(page, "header");
     CHECK(has(header, "\"kind\": \"trace\""));
-    CHECK(has(header, paper ? "\"way\": \"paper\"" : "\"way\": \"certified\""));
+    CHECK(has(header, paper ? "\"program\": \"published\"" : "\"program\": \"exact\""));
     CHECK(has(header, "\"truncated\": false"));
     CHECK(has(header, "\"refused: crossing\""));
     CHECK(has(header, "\"seconds_refine\""));
@@ -118,11 +117,11 @@ TEST_CASE("without times two pages are the same, and the page has the limit") {
 // A site added after the trace was full has no number. Its number was read all the same, from
 // memory after the array. The page does not show it, so only sanitizers can find the fault.
 TEST_CASE("a trace that fills up in the middle of a stage has events of vertices that it knows") {
-  for (const std::string way : {"", " --recover paper", " --paper"}) {
+  for (const std::string program : {"", " --paper"}) {
     for (const std::string limit : {"1", "20", "512"}) {
-      CAPTURE(way);
+      CAPTURE(program);
       CAPTURE(limit);
-      const std::string page = page_of("builtin:gyroid:16 --trace-limit " + limit + way);
+      const std::string page = page_of("builtin:gyroid:16 --trace-limit " + limit + program);
       const std::size_t events = array_of<std::uint8_t>(page, "event_routine").size();
       CHECK(std::to_string(events) == limit);
       const std::size_t vertices = array_of<float>(page, "points").size() / 3;
