@@ -128,10 +128,10 @@ Measures measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
 }
 
 Violation violation(const Measures& m, double epsilon, double pole, const Options& options) {
-  return std::ranges::max({Violation{m.h / m.r / epsilon, Reason::h_over_r},
-                           Violation{m.r / m.l / options.lambda, Reason::r_over_l},
-                           Violation{m.r / pole / options.epsilon2, Reason::r_over_pole}},
-                          {}, &Violation::value);
+  return std::max({Violation{m.h / m.r / epsilon, Reason::h_over_r},
+                   Violation{m.r / m.l / options.lambda, Reason::r_over_l},
+                   Violation{m.r / pole / options.epsilon2, Reason::r_over_pole}},
+                  [](const Violation& a, const Violation& b) { return a.value < b.value; });
 }
 
 SiteTriangle turned(SiteTriangle corners, const Hit& x) {

@@ -125,7 +125,7 @@ void PaperRecorder::insertion_begins(const Vec3& p, const ConflictZone& zone) {
   }
   // Facets inside the zone are those of two of its cells.
   std::ranges::sort(gone);
-  gone.erase(std::ranges::unique(gone).begin(), gone.end());
+  gone.erase(std::unique(gone.begin(), gone.end()), gone.end());
 }
 
 void PaperRecorder::site_added(SiteId site) {

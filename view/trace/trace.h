@@ -2,9 +2,9 @@
 // A run, insertion by insertion: what was inserted, who asked for it and why, and which facets went
 // and came. For looking at a run and learning from it; nothing is decided by it.
 //
-// Recorded only when asked for (Options::trace); without it a hook is a test of a pointer. With it
-// Stage 2 refines the mesh undivided, so that the order is that of paper Figure 9. The same run
-// gives the same trace but for the times.
+// Filled by the observers of recorder.h and record_paper.h, for the exact and the published
+// program. When the exact program is followed, its Stage 2 refines the mesh undivided, so that the
+// order is that of paper Figure 9. The same run gives the same trace but for the times.
 //
 //   T1  Vertices have numbers of the trace's own, in the order in which they come. One that moves
 //       is a new one.
