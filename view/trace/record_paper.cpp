@@ -13,47 +13,23 @@
 namespace deliso {
 namespace {
 
-Routine routine_of(paper::Reason reason) {
-  switch (reason) {
-    case paper::Reason::several_hits:
-      return Routine::multi_intersect;
-    case paper::Reason::not_a_disk:
-      return Routine::extract_manifold;
-    default:
-      return Routine::approximate_geom;
-  }
+struct Codes {
+  Routine routine;  // of Stage 1
+  std::uint8_t reason;
+};
+// In the order of paper::Reason.
+constexpr Codes kCodes[] = {{Routine::multi_intersect, trace_code(PaperReason::several_hits)},
+                            {Routine::extract_manifold, trace_code(PaperReason::no_disk)},
+                            {Routine::approximate_geom, trace_code(Criterion::h_over_r)},
+                            {Routine::approximate_geom, trace_code(Criterion::r_over_l)},
+                            {Routine::approximate_geom, trace_code(PaperReason::r_over_pole)}};
+constexpr const Codes& codes_of(paper::Reason reason) {
+  return kCodes[static_cast<std::size_t>(reason)];
 }
 
-// `star`: of a vertex that is no disk.
-std::uint8_t code_of(paper::Reason reason, Star star) {
-  switch (reason) {
-    case paper::Reason::several_hits:
-      return trace_code(PaperReason::several_hits);
-    case paper::Reason::not_a_disk:
-      return trace_code(star == Star::half_disk ? PaperReason::half_disk : PaperReason::no_disk);
-    case paper::Reason::h_over_r:
-      return trace_code(Criterion::h_over_r);
-    case paper::Reason::r_over_l:
-      return trace_code(Criterion::r_over_l);
-    case paper::Reason::r_over_pole:
-      break;
-  }
-  return trace_code(PaperReason::r_over_pole);
-}
-
-TraceOutcome outcome_of(paper::Refusal refusal) {
-  switch (refusal) {
-    case paper::Refusal::vertex_there:
-      return TraceOutcome::vertex_there;
-    case paper::Refusal::split:
-      return TraceOutcome::split;
-    case paper::Refusal::at_curve:
-      return TraceOutcome::at_curve;
-    case paper::Refusal::not_a_disk:
-      break;
-  }
-  return TraceOutcome::not_a_disk;
-}
+// In the order of paper::Refusal.
+constexpr TraceOutcome kOutcomes[] = {TraceOutcome::vertex_there, TraceOutcome::split,
+                                      TraceOutcome::at_curve, TraceOutcome::not_a_disk};
 
 // Returns those of a that are not in b; both are ascending.
 std::vector<Triangle> difference(const std::vector<Triangle>& a, const std::vector<Triangle>& b) {
@@ -93,18 +69,18 @@ void PaperRecorder::asks(paper::Reason reason, Facet sigma, SiteId q, double val
   if (trace_.is_full()) return;
   const Triangulation& t = del_->del();
   const SiteTriangle corners = facet_vertices(t, sigma);
-  Triangle caller = number(corners);
-  std::vector<Triangle> star;
+  const auto [routine, code] = codes_of(reason);
+  TraceEvent& event = trace_.asks(trace_code(routine), code, value);
+  event.caller = number(corners);
   if (q != kNoId) {
-    caller = {number(q), kNoId, kNoId};
+    event.caller = {number(q), kNoId, kNoId};
     std::vector<Facet> d_q;
     del_->star(q, d_q);
-    for (const Facet f : d_q) star.push_back(number(f));
+    for (const Facet f : d_q) event.star.push_back(number(f));
+    if (classify_star(number(q), event.star) == Star::half_disk) {
+      event.reason = trace_code(PaperReason::half_disk);
+    }
   }
-  TraceEvent& event = trace_.asks(trace_code(routine_of(reason)),
-                                  code_of(reason, classify_star(caller[0], star)), value);
-  event.caller = caller;
-  event.star = star;
   event.place = x;
   event.ball = {x, distance(x, t.point(corners[0]))};
   const FacetDual dual = facet_dual(t, sigma);
@@ -154,7 +130,7 @@ void PaperRecorder::mesh_ready(const paper::SurfaceMesh& t) {
 void PaperRecorder::asks(paper::Reason reason, FaceId sigma, double value) {
   if (trace_.is_full()) return;
   TraceEvent& event =
-      trace_.asks(trace_code(Operation::surface_point), code_of(reason, Star::empty), value);
+      trace_.asks(trace_code(Operation::surface_point), codes_of(reason).reason, value);
   event.caller = number(sigma);
   const Vec3& x = mesh_->duals[sigma].x;
   event.ball = {x, distance(x, mesh_->mesh.points[mesh_->mesh.faces[sigma].v[0]])};
@@ -179,7 +155,7 @@ void PaperRecorder::cone_added(VertexId, std::span<const FaceId> d) {
 }
 
 void PaperRecorder::refused(paper::Refusal refusal) {
-  outcome_ = outcome_of(refusal);
+  outcome_ = kOutcomes[static_cast<std::size_t>(refusal)];
   if (outcome_ != TraceOutcome::split) record(outcome_);  // a split's insertion follows
 }
 
