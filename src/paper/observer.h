@@ -16,9 +16,16 @@ class RestrictedDelaunay;
 struct SurfaceMesh;
 struct Report;
 
-// Why a point shall be inserted: what MultiIntersect and ExtractManifold look for, and the criteria
-// of ApproximateGeom and RefineGeom, the last of them r over pole height.
-enum class Reason : std::uint8_t { several_hits, not_a_disk, h_over_r, r_over_l, r_over_pole };
+// Why a point shall be inserted: what MultiIntersect and ExtractManifold look for, the latter away
+// from the boundary curves and on them, and the criteria of ApproximateGeom and RefineGeom.
+enum class Reason : std::uint8_t {
+  several_hits,
+  not_a_disk,
+  not_a_half_disk,
+  h_over_r,
+  r_over_l,
+  r_over_pole,  // height
+};
 // Why a point is not inserted; `split` has another in its place.
 enum class Refusal : std::uint8_t { vertex_there, split, at_curve, not_a_disk };
 
@@ -31,9 +38,8 @@ class Observer {
 
   // Stage 1. Del S_0|Sigma is known; both follow the run.
   virtual void sample_ready(const RestrictedDelaunay&, const Report&) {}
-  // A hit x of the facet shall be inserted: it has `value` hits, or D_q of a vertex q, `value`
-  // facets, is no disk, or it is `value` times over a criterion's limit. The insertion or a refusal
-  // follows.
+  // A hit x of the facet shall be inserted: it has `value` hits, or D_q of a vertex q has `value`
+  // facets, or it is `value` times over a criterion's limit. The insertion or a refusal follows.
   virtual void asks(Reason, Facet, SiteId /*q*/, double /*value*/, const Vec3& /*x*/) {}
   virtual void insertion_begins(const Vec3&, const ConflictZone&) {}
   virtual void site_added(SiteId) {}

@@ -100,7 +100,8 @@ void Recovery::extract_manifold() {
         star_, {}, [&](Facet f) { return distance2(furthest(del_.hits(f), at).point, at); });
     const Vec3 p = furthest(del_.hits(sigma), at).point;
     if (options_.observer) {
-      options_.observer->asks(Reason::not_a_disk, sigma, q, static_cast<double>(star_.size()), p);
+      options_.observer->asks(on_curve(q) ? Reason::not_a_half_disk : Reason::not_a_disk, sigma, q,
+                              static_cast<double>(star_.size()), p);
     }
     if (insert(sigma, p)) queue(q);
   }

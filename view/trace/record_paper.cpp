@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "delaunay/voronoi.h"
-#include "mesh/star.h"
 #include "paper/recover.h"
 
 namespace deliso {
@@ -20,6 +19,7 @@ struct Codes {
 // In the order of paper::Reason.
 constexpr Codes kCodes[] = {{Routine::multi_intersect, trace_code(PaperReason::several_hits)},
                             {Routine::extract_manifold, trace_code(PaperReason::no_disk)},
+                            {Routine::extract_manifold, trace_code(PaperReason::no_half_disk)},
                             {Routine::approximate_geom, trace_code(Criterion::h_over_r)},
                             {Routine::approximate_geom, trace_code(Criterion::r_over_l)},
                             {Routine::approximate_geom, trace_code(PaperReason::r_over_pole)}};
@@ -77,9 +77,6 @@ void PaperRecorder::asks(paper::Reason reason, Facet sigma, SiteId q, double val
     std::vector<Facet> d_q;
     del_->star(q, d_q);
     for (const Facet f : d_q) event.star.push_back(number(f));
-    if (classify_star(number(q), event.star) == Star::half_disk) {
-      event.reason = trace_code(PaperReason::half_disk);
-    }
   }
   event.place = x;
   event.ball = {x, distance(x, t.point(corners[0]))};

@@ -47,7 +47,7 @@ enum class Routine : std::uint8_t {
 };
 
 // The reasons that the published program alone has.
-enum class PaperReason : std::uint8_t { several_hits, half_disk, no_disk, r_over_pole, count_ };
+enum class PaperReason : std::uint8_t { several_hits, no_disk, no_half_disk, r_over_pole, count_ };
 
 // Of an attempt. A split is an insertion in place of that asked for; the published program has it
 // and the refusals after it.

@@ -90,9 +90,10 @@ ReasonName name_of(Reason reason) {
 ReasonName name_of(PaperReason reason) {
   constexpr ReasonName names[] = {
       {"several hits", "the Voronoi edge meets the surface more than once; value: how often"},
-      {"half disk",
-       "a vertex on no boundary curve whose facets are a half disk; value: facets in D_q"},
       {"no disk", "a vertex whose facets are no disk; value: facets in D_q"},
+      {"no half disk",
+       "a vertex of a boundary curve whose facets are no half disk that ends at its neighbors "
+       "there; value: facets in D_q"},
       {"r/pole",
        "r over the pole height is over its limit, that of --eps2; value: times the limit"}};
   static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(PaperReason::count_));

@@ -1,7 +1,7 @@
 'use strict';
 // A tour of a trace: eight stops, each at an event of this very trace.
 
-const kBroken = ['region', 'interface', 'triple', 'boundary', 'no disk', 'half disk', 'several hits'];
+const kBroken = ['region', 'interface', 'triple', 'boundary', 'no disk', 'no half disk', 'several hits'];
 
 const kInsertions = ['surface_point', 'foot', 'far_point'];
 
