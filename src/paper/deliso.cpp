@@ -68,6 +68,7 @@ TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Re
       throw InputError("none of the ", options.lines,
                        " random lines meets the surface: --lines N draws more");
     }
+    if (options.observer) options.observer->sample_ready(s.del(), report);
     stage("recover", report.seconds_recover, options, [&] { s.recover(); });
     s.count_left();
     if (options.observer) options.observer->recovered();
@@ -78,11 +79,10 @@ TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Re
     stage("refine", report.seconds_refine, options, [&] { s.refine(poles); });
     return build_tri_mesh(s.del(), {});
   }();
+  if (options.observer) options.observer->mesh_ready(t);
   if (!t.poles.empty()) {
-    if (options.observer) options.observer->mesh_ready(t);
     stage("refine", report.seconds_refine, options,
           [&] { refine_geom(t, sigma, options, report); });
-    if (options.observer) options.observer->mesh_finished();
   }
   t.mesh.frame = volume.frame();
   return std::move(t.mesh);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Recover(Del S) of paper Figure 5 (Stage 1): points are inserted until no Voronoi edge meets Sigma
 // more than once, and the facets at every vertex are a disk, or on the boundary curves a half disk
-// (§3.1, §5), which ends on the curves too: else vertices between have no facet. Queues take the
-// place of sweeps over all facets: those that an insertion made, and vertices whose facets it
-// changed, are asked again.
+// (§3.1, §5). Queues take the place of sweeps over all facets: those that an insertion made, and
+// vertices whose facets it changed, are asked again.
 //
 // Where a point would lie in the diametral ball of an edge of the boundary curves, that edge is
 // split in its place. Else new points beside the curves have half disks, without end.
@@ -13,7 +12,6 @@
 #include <vector>
 
 #include "paper/boundary_curves.h"
-#include "paper/observer.h"
 #include "paper/restricted.h"
 
 namespace deliso::paper {
@@ -56,7 +54,7 @@ class Recovery {
   // Calls visit(facet) for all facets of Del S|Sigma, and for those that insertions make meanwhile.
   template <class Visit>
   void for_each_facet(Visit&& visit);
-  // Disk(): D_q is a disk; of a vertex on the curves it may be a half disk that ends on them.
+  // Disk(): D_q is a disk; of a vertex on the curves a half disk that ends at its neighbors there.
   bool is_disk(SiteId q);
   // Inserts x, a hit of sigma, or splits the curve's edge that x encroaches upon. False: neither.
   bool insert(Facet sigma, const Vec3& x);
@@ -82,8 +80,8 @@ class Recovery {
 };
 
 // Returns the hit furthest from p, and that nearest to it. pre: there are hits.
-Vec3 furthest(std::span<const Hit> hits, const Vec3& p);
-Vec3 nearest(std::span<const Hit> hits, const Vec3& p);
+const Hit& furthest(std::span<const Hit> hits, const Vec3& p);
+const Hit& nearest(std::span<const Hit> hits, const Vec3& p);
 
 // Throws InputError beyond max_vertices.
 void require_few(std::size_t vertices, const Options& options);

@@ -16,10 +16,10 @@
 using namespace deliso;
 using namespace deliso::test;
 using paper::BoundaryCurves;
+using paper::Reason;
 using paper::Recovery;
 using paper::Refusal;
 using paper::RestrictedDelaunay;
-using paper::Routine;
 
 namespace {
 
@@ -62,15 +62,28 @@ struct Curves {
 bool is_good(SiteId q, const std::vector<Triangle>& d_q, const Triangulation& t,
              const Curves& curves) {
   const Star star = classify_star(VertexId(q.number()), d_q);
-  if (star != Star::half_disk) return star == Star::disk;
-  int ends = 0;
-  for (const Vec3& end : curves.neighbors(t.point(q))) {
-    ends += std::ranges::count_if(d_q, [&](const Triangle& v) {
-              return std::ranges::any_of(
-                  v, [&](VertexId w) { return t.point(SiteId(w.number())) == end; });
-            }) == 1;
+  const std::vector<Vec3> ends = curves.neighbors(t.point(q));
+  if (ends.empty()) return star == Star::disk;
+  return star == Star::half_disk && std::ranges::all_of(ends, [&](const Vec3& end) {
+           return std::ranges::count_if(d_q, [&](const Triangle& v) {
+                    return std::ranges::any_of(
+                        v, [&](VertexId w) { return t.point(SiteId(w.number())) == end; });
+                  }) == 1;
+         });
+}
+
+enum class Step { multi_intersect, extract_manifold, approximate_geom };
+
+Step step_of(Reason reason) {
+  switch (reason) {
+    case Reason::several_hits:
+      return Step::multi_intersect;
+    case Reason::not_a_disk:
+    case Reason::not_a_half_disk:
+      return Step::extract_manifold;
+    default:
+      return Step::approximate_geom;
   }
-  return ends == 2;
 }
 
 // Holds every question and every insertion against all facets and all edges of the curves.
@@ -88,12 +101,13 @@ class Watch : public paper::Observer {
   }
 
   std::size_t asked = 0, split = 0, at_curve = 0, vertex_there = 0, half_disks_asked = 0;
-  std::vector<Routine> routines;  // without repetitions
-  std::set<SiteId> refused_at;    // vertices whose last question was refused
+  std::vector<Step> steps;      // without repetitions
+  std::set<SiteId> refused_at;  // vertices whose last question was refused
 
-  void asks(Routine routine, Facet sigma, SiteId q, double value, const Vec3& x) override {
+  void asks(Reason reason, Facet sigma, SiteId q, double value, const Vec3& x) override {
     ++asked;
-    if (routines.empty() || routines.back() != routine) routines.push_back(routine);
+    const Step step = step_of(reason);
+    if (steps.empty() || steps.back() != step) steps.push_back(step);
     const Triangulation& t = program_->del().del();
     const std::span<const Hit> hits = program_->del().hits(sigma);
     const SiteTriangle v = facet_vertices(t, sigma);
@@ -104,11 +118,11 @@ class Watch : public paper::Observer {
       furthest = std::max(furthest, far(a, hit));
       nearest = std::min(nearest, far(a, hit));
     }
-    if (routine == Routine::multi_intersect) {
+    if (step == Step::multi_intersect) {
       CHECK(value > 1);
       CHECK(value == hits.size());
       CHECK(distance(x, a) == furthest);
-    } else if (routine == Routine::approximate_geom) {
+    } else if (step == Step::approximate_geom) {
       CHECK(distance(x, a) == nearest);
       const double worst = violation(a, t.point(v[1]), t.point(v[2]), x, epsilon_,
                                      program_->options.lambda, program_->report.r_min);
@@ -126,6 +140,7 @@ class Watch : public paper::Observer {
         }
       });
       CHECK(!is_good(q, d_q, t, curves));
+      CHECK((reason == Reason::not_a_half_disk) == !curves.neighbors(t.point(q)).empty());
       refused_at.erase(q);
       CHECK(value == d_q.size());
       CHECK(distance(x, t.point(q)) == from_q);
@@ -204,11 +219,11 @@ paper::Options with_lines(std::size_t lines, std::uint64_t seed) {
 // Ends a run at its first question.
 struct FirstQuestion : paper::Observer {
   struct Asked {
-    Routine routine;
+    Reason reason;
     SiteId q;
   };
-  void asks(Routine routine, Facet, SiteId q, double, const Vec3&) override {
-    throw Asked{routine, q};
+  void asks(Reason reason, Facet, SiteId q, double, const Vec3&) override {
+    throw Asked{reason, q};
   }
 };
 
@@ -228,7 +243,7 @@ std::optional<SiteId> first_bad(Program& program, const BoundaryCurves& curves) 
   try {
     recovery.extract_manifold();
   } catch (const FirstQuestion::Asked& asked) {
-    CHECK(asked.routine == Routine::extract_manifold);
+    CHECK(step_of(asked.reason) == Step::extract_manifold);
     return asked.q;
   }
   return std::nullopt;
@@ -322,12 +337,14 @@ TEST_CASE("a half disk is good on the boundary curves, between its neighbors the
   const std::optional<SiteId> unmarked = first_bad(program, none);
   REQUIRE(unmarked);
   CHECK(is_half_disk(*unmarked));
-  // One edge is missing: its two ends have a half disk with one neighbor.
-  BoundaryCurves open = curves;
-  open.edges.pop_back();
-  const std::optional<SiteId> at_gap = first_bad(program, open);
-  REQUIRE(at_gap);
-  CHECK(is_half_disk(*at_gap));
+  // A vertex with a disk is marked.
+  BoundaryCurves more = curves;
+  const auto inner = std::ranges::find_if(d, [&](const auto& star) {
+    return !is_half_disk(star.first) && !number.contains(star.first);
+  });
+  more.points.push_back(t.point(inner->first));
+  more.edges.push_back({0, static_cast<std::uint32_t>(curves.points.size()), 0});
+  CHECK(first_bad(program, more));
   // All points are marked, but their neighbors are others.
   BoundaryCurves wrong = curves;
   for (auto& edge : wrong.edges)
@@ -375,10 +392,10 @@ TEST_CASE("ApproximateGeom leaves no facet above r_min that violates a criterion
 TEST_CASE("Recover is its four steps") {
   Watched run(builtin("linked_tori", 24), with_lines(10, 1));
   run.program.recovery.recover();
-  REQUIRE(run.watch.routines.size() >= 3);
-  CHECK(run.watch.routines[0] == Routine::multi_intersect);
-  CHECK(run.watch.routines[1] == Routine::extract_manifold);
-  CHECK(run.watch.routines[2] == Routine::approximate_geom);
+  REQUIRE(run.watch.steps.size() >= 3);
+  CHECK(run.watch.steps[0] == Step::multi_intersect);
+  CHECK(run.watch.steps[1] == Step::extract_manifold);
+  CHECK(run.watch.steps[2] == Step::approximate_geom);
   CHECK(run.bad().empty());
   Program by_hand(builtin("linked_tori", 24), with_lines(10, 1));
   by_hand.recovery.multi_intersect();
@@ -395,8 +412,8 @@ TEST_CASE("the last ExtractManifold mends what ApproximateGeom left") {
     CAPTURE(seed);
     Watched run(noise(seed, 6), with_lines(10, seed));
     run.program.recovery.recover();
-    needed += run.watch.routines.back() == Routine::extract_manifold &&
-              std::ranges::count(run.watch.routines, Routine::approximate_geom) == 1;
+    needed += run.watch.steps.back() == Step::extract_manifold &&
+              std::ranges::count(run.watch.steps, Step::approximate_geom) == 1;
     CHECK(std::ranges::includes(run.watch.refused_at, run.bad()));
   }
   CHECK(needed > 0);
@@ -425,8 +442,8 @@ TEST_CASE("single stage: a new vertex has the mean pole height of its neighbors"
       heights.push_back(is_disk ? sum / static_cast<double>(neighbors.size())
                                 : std::numeric_limits<double>::quiet_NaN());
     }
-    void asks(Routine routine, Facet sigma, SiteId, double value, const Vec3& x) override {
-      if (routine != Routine::approximate_geom) return;
+    void asks(Reason reason, Facet sigma, SiteId, double value, const Vec3& x) override {
+      if (step_of(reason) != Step::approximate_geom) return;
       const SiteTriangle v = facet_vertices(del->del(), sigma);
       const double h_sigma = (heights[v[0]] + heights[v[1]] + heights[v[2]]) / 3;
       if (std::isnan(h_sigma)) return;
@@ -435,7 +452,8 @@ TEST_CASE("single stage: a new vertex has the mean pole height of its neighbors"
       const double r = distance(at(0), circumcenter(at(0), at(1), at(2)));
       const double shape = violation(at(0), at(1), at(2), x, 0.1, 2, r_min);
       CHECK(value == doctest::Approx(std::max(shape, r / h_sigma / 0.2)));
-      by_poles += r / h_sigma / 0.2 > shape;
+      CHECK((reason == Reason::r_over_pole) == (r / h_sigma / 0.2 > shape));
+      by_poles += reason == Reason::r_over_pole;
     }
   } poles;
   Program program(builtin("torus", 24), few_vertices());

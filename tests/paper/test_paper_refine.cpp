@@ -91,7 +91,7 @@ class RefineWatch : public paper::Observer {
         ->point;
   }
 
-  void asks(FaceId f, double value) override {
+  void asks(paper::Reason, FaceId f, double value) override {
     ++asked;
     asked_ = f;
     CHECK(t_->duals[f].on_sigma);
@@ -99,17 +99,18 @@ class RefineWatch : public paper::Observer {
     CHECK(value == doctest::Approx(worst(f)));
     find_encroached(f);
   }
-  void cone_begins(const Vec3& p, std::span<const FaceId> e) override {
+  void encroaches(const Vec3& p, std::span<const FaceId> e) override {
     CHECK(p == t_->duals[asked_].x);
     CHECK(std::set<FaceId>(e.begin(), e.end()) == e_);
     CHECK(e.size() == e_.size());
-    CHECK(is_plain_disk(t_->mesh, e_));
-    CHECK(!is_beside_box(p));
     rim_ = rim_of(t_->mesh, e_);
-    larger += e_.size() > 4;
+    is_plain_disk_ = is_plain_disk(t_->mesh, e_);
   }
   void cone_added(VertexId v, std::span<const FaceId> d) override {
     ++cones;
+    larger += e_.size() > 4;
+    CHECK(is_plain_disk_);
+    CHECK(!is_beside_box(t_->mesh.points[v]));
     std::map<Side, FaceId> left = rim_;
     const std::set<FaceId> cone(d.begin(), d.end());
     CHECK(cone.size() == rim_.size());
@@ -142,7 +143,7 @@ class RefineWatch : public paper::Observer {
   }
   void refused(Refusal why) override {
     if (why == Refusal::not_a_disk) {
-      CHECK(!is_plain_disk(t_->mesh, e_));
+      CHECK(!is_plain_disk_);
     } else {
       CHECK(why == Refusal::at_curve);
       CHECK(is_beside_box(t_->duals[asked_].x));
@@ -173,7 +174,7 @@ class RefineWatch : public paper::Observer {
   }
   // True if p is in the diametral ball of a side of E on the box.
   bool is_beside_box(const Vec3& p) const {
-    return std::ranges::any_of(rim_of(t_->mesh, e_), [&](const auto& entry) {
+    return std::ranges::any_of(rim_, [&](const auto& entry) {
       const Vec3 &a = t_->mesh.points[entry.first.first], &b = t_->mesh.points[entry.first.second];
       return entry.second == kNoId && distance(p, 0.5 * (a + b)) < 0.5 * distance(a, b);
     });
@@ -186,6 +187,7 @@ class RefineWatch : public paper::Observer {
   FaceId asked_ = 0;
   std::set<FaceId> e_;
   std::map<Side, FaceId> rim_;
+  bool is_plain_disk_ = false;
 };
 
 // T_S of a field after Recover.
