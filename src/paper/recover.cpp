@@ -205,7 +205,6 @@ bool Recovery::split(SiteId a, const CurveEdge& edge, Facet sigma) {
 
 void Recovery::put(const Vec3& p) {
   const SiteId v = del_.insert(p);
-  ++inserted_;
   ++(poles_.empty() ? report_.insertions_recover : report_.insertions_refine);
   for (const SiteId q : del_.touched()) queue(q);
   for (const Facet f : del_.created()) queue(f);

@@ -78,7 +78,6 @@ class Recovery {
   std::vector<std::uint8_t> is_queued_;  // by site
   std::vector<Facet> star_;              // of the last is_disk()
   std::vector<double> poles_;            // by site; empty: not known
-  std::size_t inserted_ = 0;
 };
 
 // Returns the hit furthest from p, and that nearest to it. pre: there are hits.

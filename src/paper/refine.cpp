@@ -9,6 +9,7 @@
 #include "base/triangle.h"
 #include "delaunay/voronoi.h"
 #include "mesh/disk.h"
+#include "mesh/incidence.h"
 #include "paper/observer.h"
 #include "paper/recover.h"
 
@@ -155,10 +156,29 @@ void Refinement::refine_geom() {
 
 }  // namespace
 
+namespace {
+
+// Reverses facets that are turned against most of their neighbors, of those that may be.
+void turn_as_neighbors(std::vector<Triangle>& facets, const std::vector<std::uint8_t>& may,
+                       std::size_t vertices) {
+  std::vector<std::uint8_t> against(facets.size(), 0);  // edges
+  for_each_edge(edge_uses(vertices, facets), [&](std::span<const EdgeUse> edge) {
+    if (edge.size() != 2 || edge[0].forward != edge[1].forward) return true;
+    for (const EdgeUse& use : edge) ++against[use.triangle];
+    return true;
+  });
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    if (may[f] != 0 && against[f] > 1) std::swap(facets[f][1], facets[f][2]);
+  }
+}
+
+}  // namespace
+
 SurfaceMesh build_tri_mesh(const RestrictedDelaunay& del, const std::vector<double>& poles) {
   const Triangulation& t = del.del();
   SurfaceMesh out;
   std::vector<Triangle> facets;
+  std::vector<std::uint8_t> has_several;  // by facet: hits, and so no side that they tell
   std::vector<Vec3> points;
   std::vector<VertexId> vertex_of(t.vertex_capacity(), kNoId);  // by site
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
@@ -180,8 +200,10 @@ SurfaceMesh build_tri_mesh(const RestrictedDelaunay& del, const std::vector<doub
       }
       facets.push_back({vertex_of[v[0]], vertex_of[v[1]], vertex_of[v[2]]});
       out.duals.push_back({x.point, true});
+      has_several.push_back(hits.size() > 1);
     }
   }
+  turn_as_neighbors(facets, has_several, points.size());
   out.mesh = make_tri_mesh(std::move(points), facets);
   return out;
 }
