@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "paper/boundary_curves.h"
-#include "paper/observer.h"
 #include "paper/restricted.h"
 
 namespace deliso::paper {
@@ -81,7 +80,7 @@ class Recovery {
 };
 
 // Returns the hit furthest from p, and that nearest to it. pre: there are hits.
-Vec3 furthest(std::span<const Hit> hits, const Vec3& p);
-Vec3 nearest(std::span<const Hit> hits, const Vec3& p);
+const Hit& furthest(std::span<const Hit> hits, const Vec3& p);
+const Hit& nearest(std::span<const Hit> hits, const Vec3& p);
 
 }  // namespace deliso::paper

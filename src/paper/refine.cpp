@@ -10,7 +10,6 @@
 #include "delaunay/voronoi.h"
 #include "mesh/disk.h"
 #include "mesh/incidence.h"
-#include "paper/observer.h"
 #include "paper/recover.h"
 
 namespace deliso::paper {
@@ -25,8 +24,8 @@ class Refinement {
 
  private:
   const Vec3& at(FaceId f, std::size_t i) const { return mesh_.points[mesh_.faces[f].v[i]]; }
-  // Returns the facet's worst measure over its limit; 0 up to r_min.
-  double violation(FaceId f) const;
+  // 0 up to r_min.
+  Violation violation(FaceId f) const;
   SurfaceMesh::Dual dual(FaceId f);
   bool is_encroached(FaceId f, const Vec3& p) const {
     constexpr double kInside = 1 - 2e-9;  // by more than rounding
@@ -49,13 +48,12 @@ class Refinement {
   Disk disk_, cone_;
 };
 
-double Refinement::violation(FaceId f) const {
-  const auto [r, h, l] = measure(at(f, 0), at(f, 1), at(f, 2), t_.duals[f].x);
-  if (r <= report_.r_min) return 0;
+Violation Refinement::violation(FaceId f) const {
+  const Measures m = measure(at(f, 0), at(f, 1), at(f, 2), t_.duals[f].x);
+  if (m.r <= report_.r_min) return {};
   double pole = 0;
   for (const VertexId v : mesh_.faces[f].v) pole += t_.poles[v] / 3;
-  return std::max(
-      {h / r / options_.epsilon1, r / pole / options_.epsilon2, r / l / options_.lambda});
+  return paper::violation(m, options_.epsilon1, pole, options_);
 }
 
 SurfaceMesh::Dual Refinement::dual(FaceId f) {
@@ -77,6 +75,7 @@ void Refinement::find_encroached(FaceId sigma, const Vec3& p) {
 
 std::optional<Refusal> Refinement::insert(FaceId sigma, const Vec3& p) {
   find_encroached(sigma, p);
+  if (options_.observer) options_.observer->encroaches(p, e_);
   disk_.facets.clear();
   for (const FaceId f : e_) disk_.facets.push_back(mesh_.faces[f].v);
   if (!disk_.link() || disk_.inner_vertices() > 0) return Refusal::not_a_disk;
@@ -91,7 +90,6 @@ std::optional<Refusal> Refinement::insert(FaceId sigma, const Vec3& p) {
 }
 
 void Refinement::put_cone(const Vec3& p) {
-  if (options_.observer) options_.observer->cone_begins(p, e_);
   const VertexId v(mesh_.points.size());
   mesh_.points.push_back(p);
   double poles = 0;
@@ -136,9 +134,9 @@ void Refinement::refine_geom() {
     steps.step(queue_.size());
     const FaceId sigma = queue_.front();
     queue_.pop_front();
-    const double worst = violation(sigma);
+    const auto [worst, reason] = violation(sigma);
     if (worst <= 1 || !t_.duals[sigma].on_sigma) continue;
-    if (options_.observer) options_.observer->asks(sigma, worst);
+    if (options_.observer) options_.observer->asks(reason, sigma, worst);
     const Vec3 x = t_.duals[sigma].x;
     const std::optional<Refusal> refusal = insert(sigma, x);
     if (refusal) {
@@ -150,7 +148,7 @@ void Refinement::refine_geom() {
   }
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     report_.facets_without_point += !t_.duals[f].on_sigma;
-    report_.facets_unrefined += violation(f) > 1;
+    report_.facets_unrefined += violation(f).value > 1;
   }
 }
 
@@ -186,12 +184,8 @@ SurfaceMesh build_tri_mesh(const RestrictedDelaunay& del, const std::vector<doub
       const std::span<const Hit> hits = del.hits({c, i});
       if (!(c < t.neighbor(c, i)) || hits.empty()) continue;
       SiteTriangle v = facet_vertices(t, {c, i});
-      const Vec3& corner = t.point(v[0]);
-      const Hit& x = *std::ranges::min_element(
-          hits, {}, [&](const Hit& hit) { return distance2(hit.point, corner); });
-      // The dual line sees the corners turn counter-clockwise from the lowest to the highest.
-      std::ranges::sort(v);
-      if (!x.leaves) std::swap(v[1], v[2]);
+      const Hit& x = nearest(hits, t.point(v[0]));
+      v = turned(v, x);
       for (const SiteId q : v) {
         if (vertex_of[q] != kNoId) continue;
         vertex_of[q] = VertexId(points.size());
