@@ -460,7 +460,7 @@ TEST_CASE("the worst distance of the published program's mesh after every event,
     paper::Report report;
     std::vector<float> worst;
   };
-  const Scene scene = wave_scene(5, 10);
+  const Scene scene = wave_scene(4, 10);
   Trace trace(kNoLimit, false);
   AllFacets recorder(trace);
   paper::Options options{.r_min = 0.05, .observer = &recorder};
