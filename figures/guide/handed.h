@@ -9,11 +9,10 @@
 #include "deliso/deliso.h"
 #include "deliso/options.h"
 #include "io/volume/builtin_volume.h"
-#include "kdtree/voxel_tree.h"
 
 namespace deliso::guide {
 
-// For delaunay_mesh(): Stage 1 alone, certified.
+// For delaunay_mesh(): Stage 1 alone.
 inline Options stage1_only() {
   Options options;
   options.stop_after_recover = true;
@@ -24,7 +23,6 @@ struct Handed {
   Volume volume;
   double kappa;
   ContourMesh contour;
-  VoxelTree tree;
   Isosurface surface;
   Parameters parameters;
   Report report;
@@ -34,7 +32,6 @@ struct Handed {
       : volume(make_builtin_volume(field)),
         kappa(geometric_isovalue(volume.type(), isovalue)),
         contour(build_contour(volume, kappa)),
-        tree(volume),
         surface(volume, kappa),
         parameters(resolve(options, volume)),
         recovered(delaunay_mesh(surface, ContourMesh(contour), stage1_only(), parameters, report)) {
