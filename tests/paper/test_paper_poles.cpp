@@ -46,7 +46,7 @@ TEST_CASE("pole heights: the nearer of the two furthest Voronoi vertices, one on
   for (const Case& field :
        {Case{"ball", in_ball}, Case{"torus", in_torus}, Case{"sheet", under_sheet}}) {
     CAPTURE(field.name);
-    Program program(known(field.inside), few_vertices());
+    Program program(known(field.inside), few_vertices(4000));
     program.recovery.recover();
     const Triangulation& t = program.del().del();
     const std::vector<double> heights = paper::compute_poles(t, program.sigma);
@@ -80,7 +80,7 @@ TEST_CASE("pole heights: the nearer of the two furthest Voronoi vertices, one on
 }
 
 TEST_CASE("every vertex of a facet has a pole on each side, on the box too") {
-  Program program(builtin("gyroid", 16), few_vertices());
+  Program program(builtin("gyroid", 16), few_vertices(4000));
   program.recovery.recover();
   const std::vector<double> heights = paper::compute_poles(program.del().del(), program.sigma);
   for (const auto& [q, d_q] : stars(stored_hits(program.del()))) CHECK(heights[q] > 0);
