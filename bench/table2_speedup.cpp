@@ -53,7 +53,8 @@ int work(const BenchArguments& arguments) {
     for (const std::string& remark : opened.remarks) table.remark(remark);
   }
   table.remark(
-      "Times are of the whole program but reading. Medians; the spread is (largest - smallest) / "
+      "Seconds of the processor, of the whole program but reading. Medians; the spread is (largest "
+      "- smallest) / "
       "median. Hits kept: only facets at new vertices are searched. Exact: "
       "the exact program without options, by the distance.");
   vertices.remark("Components that no line meets are not in the counts of the published program.");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
 #include <string_view>
 #include <utility>
@@ -49,21 +50,33 @@ double positive(std::string_view option, const std::string& value) {
   return number;
 }
 
+template <class R, class Run>
+Runs<R> run_in_time(Run&& run) {
+  Runs<R> runs;
+  runs.reports.emplace_back();
+  const std::clock_t start = std::clock();
+  runs.mesh = run(runs.reports.back());
+  runs.seconds.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  return runs;
+}
+
 template <class R, class O>
 Runs<R> measure(const OpenedDataset& opened, const O& options, const BenchArguments& arguments) {
   Runs<R> runs = run_once(opened, options);
-  double spent = runs.last().seconds_total;
+  double spent = runs.seconds[0];
   const double first = spent;
-  std::vector<R> measured;
-  if (first >= kLongRun) measured = std::move(runs.reports);
-  while (measured.size() < arguments.repeat &&
-         (measured.empty() || spent + first <= arguments.budget)) {
+  if (first < kLongRun) {
+    runs.reports.clear();
+    runs.seconds.clear();
+  }
+  while (runs.reports.size() < arguments.repeat &&
+         (runs.reports.empty() || spent + first <= arguments.budget)) {
     Runs<R> next = run_once(opened, options);
-    spent += next.last().seconds_total;
-    measured.push_back(next.last());
+    spent += next.seconds[0];
+    runs.reports.push_back(next.last());
+    runs.seconds.push_back(next.seconds[0]);
     runs.mesh = std::move(next.mesh);
   }
-  runs.reports = std::move(measured);
   return runs;
 }
 
@@ -115,19 +128,17 @@ int run_bench(int argc, char** argv, const char* purpose, int (*work)(const Benc
 }
 
 PublishedRuns run_once(const OpenedDataset& opened, const paper::Options& options) {
-  PublishedRuns runs;
-  runs.reports.emplace_back();
-  runs.mesh = paper::deliso(opened.volume, opened.isovalue, options, runs.reports.back());
-  return runs;
+  return run_in_time<paper::Report>([&](paper::Report& report) {
+    return paper::deliso(opened.volume, opened.isovalue, options, report);
+  });
 }
 
 ExactRuns run_once(const OpenedDataset& opened, const Options& options) {
   Options one_thread = options;
   one_thread.threads = 1;
-  ExactRuns runs;
-  runs.reports.emplace_back();
-  runs.mesh = mesh_isosurface(opened.volume, opened.isovalue, one_thread, runs.reports.back());
-  return runs;
+  return run_in_time<Report>([&](Report& report) {
+    return mesh_isosurface(opened.volume, opened.isovalue, one_thread, report);
+  });
 }
 
 PublishedRuns measure_runs(const OpenedDataset& opened, const paper::Options& options,

@@ -34,19 +34,19 @@ int run_bench(int argc, char** argv, const char* purpose, int (*work)(const Benc
 template <class R>
 struct Runs {
   std::vector<R> reports;  // without the warm-up
-  TriMesh mesh;            // of the last one
+  // Seconds that the processor spent on each run: other work on the machine does not count.
+  std::vector<double> seconds;
+  TriMesh mesh;  // of the last one
 
   const R& last() const { return reports.back(); }
-  // Of a step, or of anything computed from a report.
+  // Of a step by the wall clock, or of anything computed from a report.
   template <class F>
-  Statistic of(F seconds) const {
+  Statistic of(F value) const {
     std::vector<double> values;
-    for (const R& report : reports) values.push_back(seconds(report));
+    for (const R& report : reports) values.push_back(value(report));
     return statistic(std::move(values));
   }
-  Statistic total() const {
-    return of([](const R& r) { return r.seconds_total; });
-  }
+  Statistic total() const { return statistic(seconds); }
 };
 using PublishedRuns = Runs<paper::Report>;
 using ExactRuns = Runs<Report>;
