@@ -53,9 +53,9 @@ TriMesh mesh_as_published(const Volume& volume, double isovalue, const paper::Op
   TriMesh mesh = paper::deliso(volume, isovalue, options, published);
   report.kappa_effective = published.kappa;
   report.r_min = published.r_min;
-  report.seconds_init = published.seconds_tree + published.seconds_init;
+  report.seconds_init = published.seconds_init;
   report.seconds_recover = published.seconds_recover;
-  report.seconds_refine = published.seconds_poles + published.seconds_refine;
+  report.seconds_refine = published.seconds_refine;
   report.seconds_total = published.seconds_total;
   report.points_initial = published.points_initial();
   report.points_recovered = published.points_initial() + published.insertions_recover;
@@ -90,8 +90,6 @@ void add_published(ReportWriter& out, const CommandLine& line, const paper::Repo
   out.add("single_stage", options.single_stage, "all refinement in three dimensions");
   out.add("points_on_lines", report.points_on_lines, "of S_0, on random lines");
   out.add("points_on_curves", report.points_on_curves, "of S_0, where the box cuts the surface");
-  out.add_seconds("seconds_tree", report.seconds_tree, "the min/max tree");
-  out.add_seconds("seconds_poles", report.seconds_poles, "ComputePoles");
   for (const PaperCount& count : kPaperCounts)
     out.add(count.name, report.*count.value, count.words);
   out.close();

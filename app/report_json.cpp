@@ -79,10 +79,13 @@ void add_seconds(ReportWriter& out, const MeshRun& run) {
   out.open("seconds", "where the time went");
   out.add_seconds("read", run.input.seconds, "reading, and looking at every sample once");
   out.add_seconds("filter", run.input.field.seconds, "--median, --smooth and --label");
+  const bool paper = run.line.paper;
+  out.optional(paper).add_seconds("tree", run.published.seconds_tree, "--paper: the min/max tree");
   out.add_seconds("contour", report.seconds_contour, "the exact contour and its boundary curves");
   out.add_seconds("init", report.seconds_init, "the first points");
   out.add_seconds("labels", report.seconds_labels, "whose the contour's vertices are");
   out.add_seconds("recover", report.seconds_recover, "the rest of Stage 1");
+  out.optional(paper).add_seconds("poles", run.published.seconds_poles, "--paper: pole heights");
   out.add_seconds("refine", report.seconds_refine, "Stage 2");
   out.add_seconds("meshing", report.seconds_total, "all that makes the mesh");
   out.add_seconds("check", run.seconds_check, "looking at the mesh afterwards, --check included");

@@ -7,6 +7,7 @@
 #include "app/input.h"
 #include "app/output.h"
 #include "app/progress.h"
+#include "app/published.h"
 #include "app/run.h"
 #include "app/signals.h"
 #include "app/text.h"
@@ -15,6 +16,7 @@
 #include "base/text.h"
 #include "deliso/deliso.h"
 #include "mesh/check_mesh.h"
+#include "view/trace/record_paper.h"
 #include "view/trace/recorder.h"
 
 namespace deliso {
@@ -22,6 +24,24 @@ namespace {
 
 void tell(const std::string& note, bool quiet) {
   if (!quiet) std::fprintf(stderr, "deliso: note: %s\n", note.c_str());
+}
+
+// Meshes the volume, with the report, while the trace is filled.
+TriMesh traced_mesh(const CommandLine& line, const Input& input, Progress& progress, Trace& trace,
+                    Report& report) {
+  const Volume& volume = input.volume();
+  if (line.paper) {
+    PublishedProgress shown(progress);
+    PaperRecorder recorder(trace, &shown);
+    paper::Options options = published_options(line, volume);
+    options.observer = &recorder;
+    paper::Report published;
+    return mesh_as_published(volume, *input.isovalue, options, published, report);
+  }
+  TraceRecorder recorder(trace, &progress);
+  Options options = line.options;
+  options.observer = &recorder;
+  return mesh_isosurface(volume, *input.isovalue, options, report);
 }
 
 }  // namespace
@@ -32,11 +52,8 @@ int run_trace(const CommandLine& line) {
   const Input input = read_input(line);
   require_limits(line.options, input.volume());
   Trace trace(line.trace_limit, line.trace_times);
-  Options options = line.options;
   Report report;
-  TraceRecorder recorder(trace, &progress);
-  options.observer = &recorder;
-  const TriMesh mesh = mesh_isosurface(input.volume(), *input.isovalue, options, report);
+  const TriMesh mesh = traced_mesh(line, input, progress, trace, report);
   if (mesh.faces.empty()) {
     throw InputError(no_surface_text(*input.isovalue, *input.range));
   }

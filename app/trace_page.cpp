@@ -45,11 +45,10 @@ void add_routines(JsonWriter& json) {
 void add_outcomes(JsonWriter& json) {
   std::vector<std::string> names, texts;
   for (std::size_t n = 0; n < static_cast<std::size_t>(TraceOutcome::count_); ++n) {
-    names.emplace_back(name_of(static_cast<TraceOutcome>(n)));
+    const ReasonName outcome = name_of(static_cast<TraceOutcome>(n));
+    names.emplace_back(outcome.name);
+    texts.emplace_back(outcome.text);
   }
-  texts = {"done", "a boundary edge was split in its place",
-           "the hit was the work of a garbage Voronoi edge, and is forgotten",
-           "the ball is too small, or the boundary edge to be split too short"};
   for (std::size_t n = 0; n < kRefusals; ++n) {
     const auto refusal = static_cast<Refusal>(n);
     names.push_back("refused: " + std::string(name_of(refusal)));
@@ -74,6 +73,10 @@ void add_reasons(JsonWriter& json) {
   for (const CriterionWords& words : kCriterionWords) {
     add(words.measured,
         text("over its limit, in Stage 2 that of ", words.option, "; value: times the limit"));
+  }
+  for (std::size_t n = 0; n < static_cast<std::size_t>(PaperReason::count_); ++n) {
+    const ReasonName reason = name_of(static_cast<PaperReason>(n));
+    add(reason.name, reason.text);
   }
   json.close();
 }
@@ -178,7 +181,7 @@ std::string trace_header(const CommandLine& line, const Input& input, const Repo
   json.add("input", input.name);
   json.add("isovalue", *input.isovalue);
   json.add("kappa", report.kappa_effective);
-  json.add("way", line.paper ? "paper" : "certified");
+  json.add("program", line.paper ? "published" : "exact");
   json.add("box", {box.lo.x, box.lo.y, box.lo.z, box.hi.x, box.hi.y, box.hi.z});
   json.add("voxel", volume.voxel());
   json.add("r_min", report.r_min);

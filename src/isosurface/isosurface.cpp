@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "isosurface/isosurface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -127,6 +128,8 @@ void count_search(SearchCounters& counters, std::uint64_t computations, bool hit
 
 Isosurface::Isosurface(const Volume& volume, double kappa, CubicMethod method)
     : volume_(volume), units_(volume), kappa_(kappa), method_(method) {
+  const Index3 n = volume.voxels();
+  if (std::min({n.i, n.j, n.k}) == 0) return;
   volume.visit([&](const auto* samples) {
     const auto first = inside_threshold<std::remove_cvref_t<decltype(*samples)>>(kappa);
     empty_ = !first;

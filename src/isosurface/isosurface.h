@@ -74,7 +74,7 @@ class Isosurface {
   VoxelUnits units_;
   double kappa_;
   CubicMethod method_;
-  bool empty_ = true;     // no sample can be inside
+  bool empty_ = true;     // no voxel, or no sample can be inside
   double threshold_ = 0;  // inside_threshold of the sample type
 };
 

@@ -64,6 +64,7 @@ TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Re
   SurfaceMesh t = [&] {
     Recovery s = stage("initial", report.seconds_init, options,
                        [&] { return init_triangulation(sigma, options, report); });
+    if (options.observer) options.observer->sample_ready(s.del(), report);
     stage("recover", report.seconds_recover, options, [&] { s.recover(); });
     s.count_left();
     if (options.observer) options.observer->recovered();
@@ -74,11 +75,10 @@ TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Re
     stage("refine", report.seconds_refine, options, [&] { s.refine(poles); });
     return build_tri_mesh(s.del(), {});
   }();
+  if (options.observer) options.observer->mesh_ready(t);
   if (!t.poles.empty()) {
-    if (options.observer) options.observer->mesh_ready(t);
     stage("refine", report.seconds_refine, options,
           [&] { refine_geom(t, sigma, options, report); });
-    if (options.observer) options.observer->mesh_finished();
   }
   t.mesh.frame = volume.frame();
   return std::move(t.mesh);

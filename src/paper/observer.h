@@ -16,7 +16,16 @@ class RestrictedDelaunay;
 struct SurfaceMesh;
 struct Report;
 
-enum class Routine : std::uint8_t { multi_intersect, extract_manifold, approximate_geom };
+// Why a point shall be inserted: what MultiIntersect and ExtractManifold look for, the latter away
+// from the boundary curves and on them, and the criteria of ApproximateGeom and RefineGeom.
+enum class Reason : std::uint8_t {
+  several_hits,
+  not_a_disk,
+  not_a_half_disk,
+  h_over_r,
+  r_over_l,
+  r_over_pole,  // height
+};
 // Why a point is not inserted; `split` has another in its place.
 enum class Refusal : std::uint8_t { vertex_there, split, at_curve, not_a_disk };
 
@@ -29,9 +38,9 @@ class Observer {
 
   // Stage 1. Del S_0|Sigma is known; both follow the run.
   virtual void sample_ready(const RestrictedDelaunay&, const Report&) {}
-  // A hit of the facet shall be inserted: it has `value` hits, or a vertex q is no disk, or `value`
-  // is how far a criterion is passed.
-  virtual void asks(Routine, Facet, SiteId /*q*/, double /*value*/, const Vec3& /*x*/) {}
+  // A hit x of the facet shall be inserted: it has `value` hits, or D_q of a vertex q has `value`
+  // facets, or it is `value` times over a criterion's limit. The insertion or a refusal follows.
+  virtual void asks(Reason, Facet, SiteId /*q*/, double /*value*/, const Vec3& /*x*/) {}
   virtual void insertion_begins(const Vec3&, const ConflictZone&) {}
   virtual void site_added(SiteId) {}
   virtual void refused(Refusal) {}
@@ -39,11 +48,11 @@ class Observer {
 
   // Stage 2.
   virtual void mesh_ready(const SurfaceMesh&) {}
-  virtual void asks(FaceId, double /*value*/) {}
-  // E is to be replaced by the cone over its boundary.
-  virtual void cone_begins(const Vec3&, std::span<const FaceId> /*E*/) {}
+  virtual void asks(Reason, FaceId, double /*value*/) {}
+  // The facet's x encroaches upon E. The cone D over E's boundary takes its place, with E's numbers
+  // first; or a refusal follows.
+  virtual void encroaches(const Vec3& /*x*/, std::span<const FaceId> /*E*/) {}
   virtual void cone_added(VertexId, std::span<const FaceId> /*D*/) {}
-  virtual void mesh_finished() {}
 };
 
 // Counts steps. At every 1024th it reports, and polls for cancellation.

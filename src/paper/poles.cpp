@@ -28,6 +28,7 @@ std::vector<double> compute_poles(const Triangulation& del, const Sigma& sigma) 
     }
   }
   std::vector<double> heights;
+  heights.reserve(furthest.size());
   for (const auto& [outside, inside] : furthest) heights.push_back(std::min(outside, inside));
   return heights;
 }

@@ -2,6 +2,7 @@
 #include "paper/recover.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -18,14 +19,12 @@ constexpr double kShortestEdge = 0.02;
 
 }  // namespace
 
-Vec3 furthest(std::span<const Hit> hits, const Vec3& p) {
-  return std::ranges::max_element(hits, {}, [&](const Hit& x) { return distance2(x.point, p); })
-      ->point;
+const Hit& furthest(std::span<const Hit> hits, const Vec3& p) {
+  return *std::ranges::max_element(hits, {}, [&](const Hit& x) { return distance2(x.point, p); });
 }
 
-Vec3 nearest(std::span<const Hit> hits, const Vec3& p) {
-  return std::ranges::min_element(hits, {}, [&](const Hit& x) { return distance2(x.point, p); })
-      ->point;
+const Hit& nearest(std::span<const Hit> hits, const Vec3& p) {
+  return *std::ranges::min_element(hits, {}, [&](const Hit& x) { return distance2(x.point, p); });
 }
 
 Recovery::Recovery(RestrictedDelaunay del, const BoundaryCurves& curves,
@@ -81,10 +80,9 @@ void Recovery::multi_intersect() {
     const std::span<const Hit> x = del_.hits(sigma);
     if (x.size() < 2) return;
     // All of them are on the dual line, whose points are as far from one corner as from the others.
-    const Vec3 p = furthest(x, del_.del().point(facet_vertices(del_.del(), sigma)[0]));
+    const Vec3 p = furthest(x, del_.del().point(facet_vertices(del_.del(), sigma)[0])).point;
     if (options_.observer) {
-      options_.observer->asks(Routine::multi_intersect, sigma, kNoId, static_cast<double>(x.size()),
-                              p);
+      options_.observer->asks(Reason::several_hits, sigma, kNoId, static_cast<double>(x.size()), p);
     }
     insert(sigma, p);
   });
@@ -99,10 +97,10 @@ void Recovery::extract_manifold() {
     if (is_disk(q) || star_.empty()) continue;
     const Vec3& at = del_.del().point(q);
     const Facet sigma = *std::ranges::max_element(
-        star_, {}, [&](Facet f) { return distance2(furthest(del_.hits(f), at), at); });
-    const Vec3 p = furthest(del_.hits(sigma), at);
+        star_, {}, [&](Facet f) { return distance2(furthest(del_.hits(f), at).point, at); });
+    const Vec3 p = furthest(del_.hits(sigma), at).point;
     if (options_.observer) {
-      options_.observer->asks(Routine::extract_manifold, sigma, q,
+      options_.observer->asks(on_curve(q) ? Reason::not_a_half_disk : Reason::not_a_disk, sigma, q,
                               static_cast<double>(star_.size()), p);
     }
     if (insert(sigma, p)) queue(q);
@@ -114,10 +112,16 @@ bool Recovery::is_disk(SiteId q) {
   std::vector<Triangle> facets;
   for (const Facet f : star_) facets.push_back(as_mesh_triangle(facet_vertices(del_.del(), f)));
   const Star star = classify_star(VertexId(q.number()), facets);
-  return star == Star::disk || (star == Star::half_disk && on_curve(q));
+  if (!on_curve(q)) return star == Star::disk;
+  const auto ends_there = [&](const CurveEdge& edge) {
+    const VertexId to(edge.to.number());
+    return std::ranges::count_if(facets, [&](const Triangle& v) { return has_corner(v, to); }) == 1;
+  };
+  return star == Star::half_disk && std::ranges::all_of(curve_[q], ends_there);
 }
 
 double Recovery::pole_of(const SiteTriangle& v) const {
+  if (poles_.empty()) return std::numeric_limits<double>::infinity();
   return (poles_[v[0]] + poles_[v[1]] + poles_[v[2]]) / 3;
 }
 
@@ -125,15 +129,12 @@ void Recovery::approximate_geom(double epsilon) {
   for_each_facet([&](Facet sigma) {
     const SiteTriangle v = facet_vertices(del_.del(), sigma);
     const auto at = [&](std::size_t i) { return del_.del().point(v[i]); };
-    const Vec3 x = nearest(del_.hits(sigma), at(0));
-    const auto [r, h, l] = measure(at(0), at(1), at(2), x);
-    if (r <= report_.r_min) return;
-    double worst = std::max(h / r / epsilon, r / l / options_.lambda);
-    if (!poles_.empty()) worst = std::max(worst, r / pole_of(v) / options_.epsilon2);
+    const Vec3 x = nearest(del_.hits(sigma), at(0)).point;
+    const Measures m = measure(at(0), at(1), at(2), x);
+    if (m.r <= report_.r_min) return;
+    const auto [worst, reason] = violation(m, epsilon, pole_of(v), options_);
     if (worst <= 1) return;
-    if (options_.observer) {
-      options_.observer->asks(Routine::approximate_geom, sigma, kNoId, worst, x);
-    }
+    if (options_.observer) options_.observer->asks(reason, sigma, kNoId, worst, x);
     insert(sigma, x);
   });
 }
@@ -200,7 +201,6 @@ bool Recovery::split(SiteId a, const CurveEdge& edge, Facet sigma) {
 
 void Recovery::put(const Vec3& p) {
   const SiteId v = del_.insert(p);
-  ++inserted_;
   ++(poles_.empty() ? report_.insertions_recover : report_.insertions_refine);
   for (const SiteId q : del_.touched()) queue(q);
   for (const Facet f : del_.created()) queue(f);

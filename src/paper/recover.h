@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "paper/boundary_curves.h"
-#include "paper/observer.h"
 #include "paper/restricted.h"
 
 namespace deliso::paper {
@@ -55,7 +54,7 @@ class Recovery {
   // Calls visit(facet) for all facets of Del S|Sigma, and for those that insertions make meanwhile.
   template <class Visit>
   void for_each_facet(Visit&& visit);
-  // Disk(): D_q is a disk; of a vertex on the curves it may be a half disk.
+  // Disk(): D_q is a disk; of a vertex on the curves a half disk that ends at its neighbors there.
   bool is_disk(SiteId q);
   // Inserts x, a hit of sigma, or splits the curve's edge that x encroaches upon. False: neither.
   bool insert(Facet sigma, const Vec3& x);
@@ -78,11 +77,10 @@ class Recovery {
   std::vector<std::uint8_t> is_queued_;  // by site
   std::vector<Facet> star_;              // of the last is_disk()
   std::vector<double> poles_;            // by site; empty: not known
-  std::size_t inserted_ = 0;
 };
 
 // Returns the hit furthest from p, and that nearest to it. pre: there are hits.
-Vec3 furthest(std::span<const Hit> hits, const Vec3& p);
-Vec3 nearest(std::span<const Hit> hits, const Vec3& p);
+const Hit& furthest(std::span<const Hit> hits, const Vec3& p);
+const Hit& nearest(std::span<const Hit> hits, const Vec3& p);
 
 }  // namespace deliso::paper

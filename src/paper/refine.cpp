@@ -9,7 +9,7 @@
 #include "base/triangle.h"
 #include "delaunay/voronoi.h"
 #include "mesh/disk.h"
-#include "paper/observer.h"
+#include "mesh/incidence.h"
 #include "paper/recover.h"
 
 namespace deliso::paper {
@@ -24,8 +24,8 @@ class Refinement {
 
  private:
   const Vec3& at(FaceId f, std::size_t i) const { return mesh_.points[mesh_.faces[f].v[i]]; }
-  // Returns the facet's worst measure over its limit; 0 up to r_min.
-  double violation(FaceId f) const;
+  // 0 up to r_min.
+  Violation violation(FaceId f) const;
   SurfaceMesh::Dual dual(FaceId f);
   bool is_encroached(FaceId f, const Vec3& p) const {
     constexpr double kInside = 1 - 2e-9;  // by more than rounding
@@ -48,13 +48,12 @@ class Refinement {
   Disk disk_, cone_;
 };
 
-double Refinement::violation(FaceId f) const {
-  const auto [r, h, l] = measure(at(f, 0), at(f, 1), at(f, 2), t_.duals[f].x);
-  if (r <= report_.r_min) return 0;
+Violation Refinement::violation(FaceId f) const {
+  const Measures m = measure(at(f, 0), at(f, 1), at(f, 2), t_.duals[f].x);
+  if (m.r <= report_.r_min) return {};
   double pole = 0;
   for (const VertexId v : mesh_.faces[f].v) pole += t_.poles[v] / 3;
-  return std::max(
-      {h / r / options_.epsilon1, r / pole / options_.epsilon2, r / l / options_.lambda});
+  return paper::violation(m, options_.epsilon1, pole, options_);
 }
 
 SurfaceMesh::Dual Refinement::dual(FaceId f) {
@@ -76,6 +75,7 @@ void Refinement::find_encroached(FaceId sigma, const Vec3& p) {
 
 std::optional<Refusal> Refinement::insert(FaceId sigma, const Vec3& p) {
   find_encroached(sigma, p);
+  if (options_.observer) options_.observer->encroaches(p, e_);
   disk_.facets.clear();
   for (const FaceId f : e_) disk_.facets.push_back(mesh_.faces[f].v);
   if (!disk_.link() || disk_.inner_vertices() > 0) return Refusal::not_a_disk;
@@ -90,7 +90,6 @@ std::optional<Refusal> Refinement::insert(FaceId sigma, const Vec3& p) {
 }
 
 void Refinement::put_cone(const Vec3& p) {
-  if (options_.observer) options_.observer->cone_begins(p, e_);
   const VertexId v(mesh_.points.size());
   mesh_.points.push_back(p);
   double poles = 0;
@@ -135,9 +134,9 @@ void Refinement::refine_geom() {
     steps.step(queue_.size());
     const FaceId sigma = queue_.front();
     queue_.pop_front();
-    const double worst = violation(sigma);
+    const auto [worst, reason] = violation(sigma);
     if (worst <= 1 || !t_.duals[sigma].on_sigma) continue;
-    if (options_.observer) options_.observer->asks(sigma, worst);
+    if (options_.observer) options_.observer->asks(reason, sigma, worst);
     const Vec3 x = t_.duals[sigma].x;
     const std::optional<Refusal> refusal = insert(sigma, x);
     if (refusal) {
@@ -149,7 +148,25 @@ void Refinement::refine_geom() {
   }
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     report_.facets_without_point += !t_.duals[f].on_sigma;
-    report_.facets_unrefined += violation(f) > 1;
+    report_.facets_unrefined += violation(f).value > 1;
+  }
+}
+
+}  // namespace
+
+namespace {
+
+// Reverses facets that are turned against most of their neighbors, of those that may be.
+void turn_as_neighbors(std::vector<Triangle>& facets, const std::vector<std::uint8_t>& may,
+                       std::size_t vertices) {
+  std::vector<std::uint8_t> against(facets.size(), 0);  // edges
+  for_each_edge(edge_uses(vertices, facets), [&](std::span<const EdgeUse> edge) {
+    if (edge.size() != 2 || edge[0].forward != edge[1].forward) return true;
+    for (const EdgeUse& use : edge) ++against[use.triangle];
+    return true;
+  });
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    if (may[f] != 0 && against[f] > 1) std::swap(facets[f][1], facets[f][2]);
   }
 }
 
@@ -159,6 +176,7 @@ SurfaceMesh build_tri_mesh(const RestrictedDelaunay& del, const std::vector<doub
   const Triangulation& t = del.del();
   SurfaceMesh out;
   std::vector<Triangle> facets;
+  std::vector<std::uint8_t> has_several;  // by facet: hits, and so no side that they tell
   std::vector<Vec3> points;
   std::vector<VertexId> vertex_of(t.vertex_capacity(), kNoId);  // by site
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
@@ -166,12 +184,8 @@ SurfaceMesh build_tri_mesh(const RestrictedDelaunay& del, const std::vector<doub
       const std::span<const Hit> hits = del.hits({c, i});
       if (!(c < t.neighbor(c, i)) || hits.empty()) continue;
       SiteTriangle v = facet_vertices(t, {c, i});
-      const Vec3& corner = t.point(v[0]);
-      const Hit& x = *std::ranges::min_element(
-          hits, {}, [&](const Hit& hit) { return distance2(hit.point, corner); });
-      // The dual line sees the corners turn counter-clockwise from the lowest to the highest.
-      std::ranges::sort(v);
-      if (!x.leaves) std::swap(v[1], v[2]);
+      const Hit& x = nearest(hits, t.point(v[0]));
+      v = turned(v, x);
       for (const SiteId q : v) {
         if (vertex_of[q] != kNoId) continue;
         vertex_of[q] = VertexId(points.size());
@@ -180,8 +194,10 @@ SurfaceMesh build_tri_mesh(const RestrictedDelaunay& del, const std::vector<doub
       }
       facets.push_back({vertex_of[v[0]], vertex_of[v[1]], vertex_of[v[2]]});
       out.duals.push_back({x.point, true});
+      has_several.push_back(hits.size() > 1);
     }
   }
+  turn_as_neighbors(facets, has_several, points.size());
   out.mesh = make_tri_mesh(std::move(points), facets);
   return out;
 }

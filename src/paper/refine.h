@@ -30,7 +30,8 @@ struct SurfaceMesh {
 };
 
 // Returns Del S_1|Sigma as a mesh. A facet is turned by the passage of its Voronoi edge, which
-// leaves Sigma's inside at x. `poles`: of every site, or none.
+// leaves Sigma's inside at x; one with several hits as its neighbors are. `poles`: of every site,
+// or none.
 SurfaceMesh build_tri_mesh(const RestrictedDelaunay& del, const std::vector<double>& poles);
 
 // Inserts x of every facet with r > r_min and h/r > epsilon1, r/h_sigma > epsilon2 or r/l > lambda,

@@ -7,7 +7,6 @@
 
 #include "base/triangle.h"
 #include "delaunay/voronoi.h"
-#include "paper/observer.h"
 
 namespace deliso::paper {
 
@@ -126,6 +125,20 @@ SiteId RestrictedDelaunay::insert(const Vec3& p) {
 Measures measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
   const Vec3 center = circumcenter(a, b, c);
   return {distance(center, a), distance(center, x), std::sqrt(shortest_edge2(a, b, c))};
+}
+
+Violation violation(const Measures& m, double epsilon, double pole, const Options& options) {
+  return std::max({Violation{m.h / m.r / epsilon, Reason::h_over_r},
+                   Violation{m.r / m.l / options.lambda, Reason::r_over_l},
+                   Violation{m.r / pole / options.epsilon2, Reason::r_over_pole}},
+                  [](const Violation& a, const Violation& b) { return a.value < b.value; });
+}
+
+SiteTriangle turned(SiteTriangle corners, const Hit& x) {
+  // The dual line sees the corners turn counter-clockwise from the lowest to the highest.
+  std::ranges::sort(corners);
+  if (!x.leaves) std::swap(corners[1], corners[2]);
+  return corners;
 }
 
 }  // namespace deliso::paper

@@ -15,6 +15,7 @@
 
 #include "delaunay/triangulation.h"
 #include "paper/intersect.h"
+#include "paper/observer.h"
 #include "paper/options.h"
 #include "paper/report.h"
 
@@ -77,5 +78,17 @@ struct Measures {
   double r, h, l;
 };
 Measures measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x);
+
+// How many times its limit a facet's worst measure is, and which that is (§3.2). `epsilon`: the
+// limit of h/r. `pole`: the pole height; infinite where it is not asked for.
+struct Violation {
+  double value = 0;
+  Reason reason = Reason::h_over_r;
+};
+Violation violation(const Measures& m, double epsilon, double pole, const Options& options);
+
+// Returns the corners counter-clockwise seen from where the Voronoi edge leaves Sigma's inside at
+// x.
+SiteTriangle turned(SiteTriangle corners, const Hit& x);
 
 }  // namespace deliso::paper

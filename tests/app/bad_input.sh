@@ -103,7 +103,9 @@ refuses 'at most 1000000' builtin:sphere --samples 18446744073709551615 -o $o
 refuses 'more than --max-vertices 10 vertices' builtin:fuel --max-vertices 10 -o $o
 refuses 'million vertices' builtin:fuel --rmin 0.001vox --max-distance 1e-12 --max-radius 1e-9 -o $o
 refuses 'million vertices' builtin:noise --max-distance 1e-7 --rmin 0.001vox --max-radius 0.003 -o $o
-refuses '^deliso: single_stage (--single-stage) needs .*--recover paper' builtin:fuel --single-stage -o $o
+refuses '^deliso: --single-stage belongs to --paper, the algorithm as published$' builtin:fuel --single-stage -o $o
+refuses 'the mesh at isovalue 0 is empty' builtin:sphere --paper --lines 0 -o $o
+refuses 'more than --max-vertices 100 vertices' builtin:fuel --paper --max-vertices 100 -o $o
 
 # Command lines: test_command_line.cpp has all of their messages.
 refuses '^deliso: no input given; --help shows how$'

@@ -66,11 +66,10 @@ same builtin:noise:24 --smooth 1
 same builtin:noise:24 --median 1
 same builtin:noise:24 --median 1 --smooth 0.7vox --check
 same builtin:machine:32 --label 255
-same builtin:torus:24 --recover paper
-same builtin:torus:16 --paper
-same builtin:noise:32 --solver schwarze
-same builtin:fuel:24 --solver schwarze
-same builtin:fuel:32 --solver isolation --check
+same builtin:noise:16 --paper --rmin 0.5vox --max-vertices 20000
+same builtin:gyroid:16 --paper --keep-hits
+same builtin:fuel:24 --paper --solver isolation --check
+same builtin:torus:16 --paper --single-stage
 same builtin:gyroid:32 --vertices 2000
 same builtin:gyroid:32 --cap
 same builtin:noise:16 --cap --check

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/parsed_line.h"
+#include "app/published.h"
 #include "base/check.h"
 #include "base/random.h"
 #include "base/text.h"
@@ -72,10 +73,9 @@ TEST_CASE("by default the distance is bounded, in voxels") {
   CHECK(line.input == "engine.nhdr");
   CHECK(line.isovalue == 40.1);
   CHECK(line.output.empty());
-  CHECK(line.options.epsilon == 0.2);
+  CHECK_FALSE(line.paper);
   CHECK(same(line.options.limits[Criterion::distance], {0.1, Length::Unit::voxel}));
   CHECK(line.options.limits[Criterion::h_over_r].value == Options::kNone);
-  CHECK(line.options.limits[Criterion::r_over_pole].value == Options::kNone);
   CHECK(line.options.limits[Criterion::radius].value == Options::kNone);
   CHECK(line.options.limits[Criterion::r_over_l].value == 2.0);
   CHECK(same(line.options.r_min, {0.25, Length::Unit::voxel}));
@@ -86,26 +86,21 @@ TEST_CASE("by default the distance is bounded, in voxels") {
   CHECK_FALSE(line.given.limits[Criterion::r_over_l]);
   CHECK_FALSE(line.given.limits[Criterion::h_over_r]);
   CHECK(line.options.seed == 1);
-  CHECK(line.options.recover == RecoverWay::certified);
   CHECK_FALSE(line.read.raw.has_value());
 }
 
 TEST_CASE("every option reaches its field") {
   const CommandLine line = parsed(
-      "mesh --iso=-1.5e2 --eps 0.3 --eps1 0.4 --eps2 0.5 --lambda 1.5 --rmin 0.5vox --max-distance "
-      "7 "
+      "mesh --iso=-1.5e2 --eps1 0.4 --lambda 1.5 --rmin 0.5vox --max-distance 7 "
       "--max-radius 8 --seed 18446744073709551615 --samples 9 --min-component 2.5 --threads 3 "
-      "--fingers 0.25 --recover paper --stop-after recover --max-vertices "
-      "1000 "
-      "--block-side 48 --roi 0:4,1:5,2:6 --single-stage --cap --solver schwarze --json - --quiet "
+      "--fingers 0.25 --stop-after recover --max-vertices 1000 "
+      "--block-side 48 --roi 0:4,1:5,2:6 --cap --json - --quiet "
       "--allow-empty --check --ply-ascii --float --dims 4x5x6 --type uint16 --spacing 1,2,2.5 "
       "--origin=-1,2,0.5 --channel 3 --time 4 --nan=-1e3 "
       "--endian big --skip 12 --series 3 -o a.ply in.raw");
   CHECK(line.isovalue == -150);
   const Options& options = line.options;
-  CHECK(options.epsilon == 0.3);
   CHECK(options.limits[Criterion::h_over_r].value == 0.4);
-  CHECK(options.limits[Criterion::r_over_pole].value == 0.5);
   CHECK(options.limits[Criterion::r_over_l].value == 1.5);
   CHECK(same(options.r_min, {0.5, Length::Unit::voxel}));
   CHECK(same(options.limits[Criterion::distance], {7, Length::Unit::world}));
@@ -114,14 +109,11 @@ TEST_CASE("every option reaches its field") {
   CHECK(options.samples == 9);
   CHECK(options.components.min_voxels == 2.5);
   CHECK(options.threads == 3);
-  CHECK(options.recover == RecoverWay::paper);
   CHECK(same(options.fingers, {0.25, Length::Unit::world}));
   CHECK(options.stop_after_recover);
   CHECK(options.max_vertices == 1000);
   CHECK(options.block_side == 48);
-  CHECK(options.single_stage);
   CHECK(options.cap);
-  CHECK(options.cubic == CubicMethod::schwarze);
   CHECK(line.json == "-");
   CHECK(line.quiet);
   CHECK(line.allow_empty);
@@ -162,48 +154,96 @@ TEST_CASE("lengths are in voxels or in the option's own unit") {
   CHECK(same(length("--max-distance", ".25vox"), {0.25, Length::Unit::voxel}));
 }
 
-TEST_CASE("--paper sets everything as published, except options that are given") {
-  const Options published = Options::paper();
-  for (const char* words : {"mesh a --iso 1 --paper", "check m.ply a --iso 1 --paper"}) {
-    const CommandLine line = parsed(words);
+TEST_CASE("--paper runs the published program, with the published values but for those given") {
+  // Section 3.1: epsilon 0.2, lambda 2, r_min a thousandth of the box. Section 3.2: epsilon1 0.1,
+  // epsilon2 0.2, the same lambda and r_min.
+  const Volume volume = Volume::from_samples({9, 9, 9}, {0.25, 0.5, 1}, std::vector<float>(729));
+  for (const char* command : {"mesh a --iso 1 --paper", "trace a --iso 1 -o p.html --paper"}) {
+    const CommandLine line = parsed(command);
     CHECK(line.paper);
-    CHECK(line.options.recover == RecoverWay::paper);
-    CHECK(line.options.epsilon == published.epsilon);
-    CHECK(line.options.limits[Criterion::h_over_r].value == 0.1);
-    CHECK(line.options.limits[Criterion::r_over_pole].value == 0.2);
-    CHECK(line.options.limits[Criterion::r_over_l].value == 2.0);
-    CHECK(same(line.options.r_min, {0.001, Length::Unit::box}));
-    CHECK(line.options.limits[Criterion::distance].value == Options::kNone);
+    const paper::Options options = published_options(line, volume);
+    CHECK(options.epsilon == 0.2);
+    CHECK(options.epsilon1 == 0.1);
+    CHECK(options.epsilon2 == 0.2);
+    CHECK(options.lambda == 2);
+    CHECK(options.r_min == doctest::Approx(0.001));
+    CHECK(options.lines == 50);
+    CHECK(options.seed == 1);
+    CHECK(options.solver == CubicMethod::schwarze);
+    CHECK_FALSE(options.keep_hits);
+    CHECK_FALSE(options.single_stage);
+    CHECK_FALSE(options.stop_after_recover);
+    CHECK(options.max_vertices == std::numeric_limits<std::size_t>::max());
   }
-  const Options some = parsed(
-                           "a --iso 1 --paper --recover certified --eps1 0.3 --eps2 0.4 "
-                           "--rmin 1vox --max-distance 0.2vox")
-                           .options;
-  CHECK(some.recover == RecoverWay::certified);
+  const paper::Options options = published_options(
+      parsed("a --iso 1 --paper --eps 0.3 --eps1 0.4 --eps2 0.5 --lambda 1.5 --rmin 1vox --lines 9 "
+             "--keep-hits --single-stage --solver isolation --seed 7 --stop-after recover "
+             "--max-vertices 1000"),
+      volume);
+  CHECK(options.epsilon == 0.3);
+  CHECK(options.epsilon1 == 0.4);
+  CHECK(options.epsilon2 == 0.5);
+  CHECK(options.lambda == 1.5);
+  CHECK(options.r_min == doctest::Approx(0.25));  // the smallest side is four times a voxel's
+  CHECK(options.lines == 9);
+  CHECK(options.keep_hits);
+  CHECK(options.single_stage);
+  CHECK(options.solver == CubicMethod::isolation);
+  CHECK(options.seed == 7);
+  CHECK(options.stop_after_recover);
+  CHECK(options.max_vertices == 1000);
+}
+
+TEST_CASE("check --paper holds a mesh against the published criteria") {
+  const Options options = parsed("check m.ply a --iso 1 --paper").options;
+  CHECK(options.limits[Criterion::h_over_r].value == 0.1);
+  CHECK(options.limits[Criterion::r_over_l].value == 2.0);
+  CHECK(same(options.r_min, {0.001, Length::Unit::box}));
+  CHECK(options.limits[Criterion::distance].value == Options::kNone);
+  const Options some =
+      parsed("check m.ply a --iso 1 --paper --eps1 0.3 --rmin 1vox --max-distance 0.2vox").options;
   CHECK(some.limits[Criterion::h_over_r].value == 0.3);
-  CHECK(some.limits[Criterion::r_over_pole].value == 0.4);
   CHECK(same(some.r_min, {1, Length::Unit::voxel}));
   CHECK(same(some.limits[Criterion::distance], {0.2, Length::Unit::voxel}));
 }
 
-TEST_CASE("--eps1 and --eps2 turn the distance off, unless that is given too") {
-  const std::pair<std::string, Criterion> ratios[] = {{"--eps1 0.3", Criterion::h_over_r},
-                                                      {"--eps2 0.3", Criterion::r_over_pole}};
-  for (const auto& given : ratios) {
-    const std::string& option = given.first;
-    CAPTURE(option);
-    const Options alone = parsed("a --iso 1 " + option).options;
-    CHECK(alone.limits[Criterion::distance].value == Options::kNone);
-    for (const auto& ratio : ratios) {
-      const double limit = ratio.second == given.second ? 0.3 : Options::kNone;
-      CHECK(alone.limits[ratio.second].value == limit);
+TEST_CASE("options of the published program need --paper, and it refuses those it has not") {
+  for (const std::string command : {"mesh a --iso 1 ", "trace a --iso 1 -o p.html "}) {
+    for (const std::string option : {"--eps 0.2", "--eps2 0.2", "--lines 50", "--keep-hits",
+                                     "--single-stage", "--solver schwarze"}) {
+      CAPTURE(option);
+      CHECK(refusal(command + option) ==
+            split(option)[0] + " belongs to --paper, the algorithm as published");
+      CHECK(refusal(command + option + " --paper") == "");
+      CHECK(refusal("check m.ply a --iso 1 " + option) ==
+            split(option)[0] + " has no meaning for deliso check");
     }
-    CHECK(alone.recover == RecoverWay::certified);
-    CHECK(same(alone.r_min, {0.25, Length::Unit::voxel}));
-    for (const std::string& both : {"--max-distance 2 " + option, option + " --max-distance 2"}) {
-      CHECK(same(parsed("a --iso 1 " + both).options.limits[Criterion::distance],
-                 {2, Length::Unit::world}));
+    for (const std::string option :
+         {"--vertices 99", "--triangles 99", "--max-distance 1", "--max-radius 1", "--samples 9",
+          "--fingers 1", "--block-side 8", "--min-component 1", "--largest 1"}) {
+      CAPTURE(option);
+      CHECK(refusal(command + "--paper " + option) ==
+            "--paper and " + split(option)[0] + " exclude each other");
+      CHECK(refusal(command + option) == "");
     }
+  }
+  CHECK(refusal("a --iso 1 --cap --paper") == "--paper and --cap exclude each other");
+  CHECK(refusal("a --iso 1 --part 1/2 -o p.part --paper") ==
+        "--paper and --part exclude each other");
+  CHECK(refusal("a --label all --shared x.ply --paper") ==
+        "--paper and --shared exclude each other");
+  // Of a check they say what the mesh is held against.
+  CHECK(refusal("check m.ply a --iso 1 --paper --max-radius 1 --largest 1 --cap") == "");
+}
+
+TEST_CASE("--eps1 turns the distance off, unless that is given too") {
+  const Options alone = parsed("a --iso 1 --eps1 0.3").options;
+  CHECK(alone.limits[Criterion::distance].value == Options::kNone);
+  CHECK(alone.limits[Criterion::h_over_r].value == 0.3);
+  CHECK(same(alone.r_min, {0.25, Length::Unit::voxel}));
+  for (const char* both : {"--max-distance 2 --eps1 0.3", "--eps1 0.3 --max-distance 2"}) {
+    CHECK(same(parsed(text("a --iso 1 ", both)).options.limits[Criterion::distance],
+               {2, Length::Unit::world}));
   }
 }
 
@@ -213,8 +253,7 @@ TEST_CASE("--vertices and --triangles are parsed, and options that exclude them 
   CHECK(by_count(parsed("a --iso 1 --vertices 4").options));
   for (const std::string count : {"--vertices", "--triangles"}) {
     const std::string given = " " + count + " 1000";
-    for (const std::string other : {"--recover paper", "--paper", "--single-stage", "--stop-after",
-                                    "--max-vertices", "--max-distance"}) {
+    for (const std::string other : {"--stop-after", "--max-vertices", "--max-distance"}) {
       const std::string value = other == "--stop-after"     ? " recover"
                                 : other == "--max-vertices" ? " 2000"
                                 : other == "--max-distance" ? " 0.2vox"
@@ -223,7 +262,6 @@ TEST_CASE("--vertices and --triangles are parsed, and options that exclude them 
       CHECK(refusal("a --iso 1" + given + " " + other + value) == message);
       CHECK(refusal(other + value + " a --iso 1" + given) == message);
     }
-    CHECK(refusal("a --iso 1 --paper --recover certified" + given) == "");
     CHECK(refusal("a --iso 1 --rmin 0.1vox --lambda 1.5" + given) == "");
     CHECK(refusal("check m a --iso 1" + given) == count + " has no meaning for deliso check");
   }
@@ -504,6 +542,8 @@ TEST_CASE("each command line that is refused has its message") {
       {"a --quiet=yes", "--quiet takes no value"},
       {"a --iso 0.5 --iso 0.6", "--iso is given twice"},
       {"a --lambda 0.9", "--lambda must be at least 1, or refinement would not end"},
+      {"a --iso 1 --paper --lines 1000001", "--lines must be at most 1000000"},
+      {"a --iso 1 --recover paper", "unknown option '--recover'; --help lists them"},
       {"a --iso 1 --stop-after refine", "--stop-after refine is not in this version: use recover"},
       {"a --iso 1 --roi 0:4,0:4", "--roi: '0:4,0:4' is not a region like 0:64,0:64,10:32"},
       {"a --iso 1 --dims 2x2x2", "a raw file needs both --dims and --type"},
@@ -579,8 +619,6 @@ TEST_CASE("each command line that is refused has its message") {
        "--shared and --min-component exclude each other"},
       {"a --label all --shared x.ply --max-vertices 99",
        "--shared and --max-vertices exclude each other"},
-      {"a --label all --shared x.ply --paper", "--shared and --paper exclude each other"},
-      {"a --label all --shared x.ply --recover paper", "--shared and --recover exclude each other"},
       {"a --label all --shared x.ply --stop-after recover",
        "--shared and --stop-after exclude each other"},
       {"a --label all --shared x.ply --block-side 8",
@@ -644,8 +682,7 @@ TEST_CASE("a value of the wrong kind is refused, in one line that names the opti
       {"x NAME", "--iso", numbers, false},
       {"x NAME",
        "--eps --eps1 --eps2 --lambda --max-radius --samples --min-component --max-vertices "
-       "--threads "
-       "--largest",
+       "--threads --largest --lines",
        not_below_0, false},
       {"x NAME", "--rmin --fingers --max-distance", lengths, false},
       {"x NAME", "--vertices --triangles", not_below_0 + " 3 1e4", false},
@@ -653,7 +690,6 @@ TEST_CASE("a value of the wrong kind is refused, in one line that names the opti
       {"x NAME", "--threads", "0", false},
       {"x NAME", "--series", not_below_0 + " 0 1.5", false},
       {"x NAME", "--block-side", "1 half"},
-      {"x --iso 1 NAME", "--recover", "hope"},
       {"x --iso 1 NAME", "--solver", "newton"},
       {"x --iso 1 NAME", "--format", "gif"},
       {"a.nrrd --iso 1 NAME", "--median", "0 4 -1 1.5 1vox", false},
@@ -772,9 +808,8 @@ TEST_CASE("--part is parsed, and options that a part cannot have are refused; pa
   const CommandLine line = parsed("a.nrrd -k 1 --part 3/64 -o p.part --cap --largest=2");
   CHECK(line.part == PartChoice{3, 64});
   CHECK(line.words == split("--iso=1 --part=3/64 --output=p.part --cap --largest=2"));
-  for (const std::string other :
-       {"--vertices 100", "--triangles 100", "--paper", "--recover paper", "--single-stage",
-        "--eps2 0.2", "--float", "--format stl", "--ply-ascii", "--json a.json", "--check"}) {
+  for (const std::string other : {"--vertices 100", "--triangles 100", "--float", "--format stl",
+                                  "--ply-ascii", "--json a.json", "--check"}) {
     CAPTURE(other);
     CHECK(refusal("a.nrrd --iso 1 -o p.part --part 1/2 " + other).starts_with("--part and "));
   }

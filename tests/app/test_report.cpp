@@ -159,7 +159,7 @@ TEST_CASE("everything in the schema is written by some run") {
 TEST_CASE("the schema refuses an added key, a missing key and another type anywhere") {
   const Validator validator(schema());
   int broken = 0;
-  for (const std::size_t which : {0u, 8u, 10u, 12u, 13u}) {
+  for (const std::size_t which : {0u, 3u, 8u, 10u, 12u, 13u}) {
     const JsonValue& good = reports()[which];
     REQUIRE(validator.fault(good) == "");
     JsonValue all = good;
@@ -272,6 +272,10 @@ TEST_CASE("every word of the reports is explained in the guide, once") {
     CHECK_MESSAGE(page.find(row, at + 1) == std::string::npos, name);
   };
   for (std::size_t n = 0; n < kCounterCount; ++n) check_row(name_of(static_cast<Counter>(n)));
+  const std::vector<std::string>& of_paper = reports()[3]["paper"].keys;
+  auto count = std::ranges::find(of_paper, "cancelled_pairs");
+  REQUIRE(count != of_paper.end());
+  for (; count != of_paper.end(); ++count) check_row(*count);
   for (std::size_t n = 0; n < kOperations; ++n) check_row(name_of(static_cast<Operation>(n)));
   for (std::size_t n = 0; n < kRefusals; ++n) check_row(name_of(static_cast<Refusal>(n)));
   for (std::size_t n = 0; n < kFaultKinds; ++n) check_row(name_of(static_cast<FaultKind>(n)));
@@ -281,7 +285,7 @@ TEST_CASE("every word of the reports is explained in the guide, once") {
         "refused",  "kd-tree",    "exact contour", "initial",  "recover",  "poles",   "refine",
         "cap",      "check",      "exact",         "solid",    "distance", "quality", "delaunay",
         "mesh->",   "->mesh",     "criteria",      "boundary", "padding",  "try",     "filter",
-        "label",    "volume",     "largest",       "sizes",    "count",    "off"}) {
+        "label",    "volume",     "largest",       "sizes",    "count",    "off",     "found"}) {
     check_row(word);
   }
 }

@@ -11,8 +11,10 @@
 #include <string_view>
 
 #include "app/parsed_line.h"
+#include "app/published.h"
 #include "app/run.h"
 #include "base/check.h"
+#include "base/text.h"
 #include "io/files/temporary_folder.h"
 #include "io/volume/builtin_volume.h"
 #include "view/page/page_text.h"
@@ -35,14 +37,13 @@ bool has(std::string_view text, std::string_view part) {
 
 }  // namespace
 
-TEST_CASE("the page has every array of the events, of one length, and both ways' own") {
+TEST_CASE("the page has every array of the events, of one length, and both programs' own") {
   for (const bool paper : {false, true}) {
     CAPTURE(paper);
-    const std::string page =
-        page_of(paper ? "builtin:torus:16 --recover paper" : "builtin:torus:16");
+    const std::string page = page_of(paper ? "builtin:torus:16 --paper" : "builtin:torus:16");
     const std::string_view header = element_of(page, "header");
     CHECK(has(header, "\"kind\": \"trace\""));
-    CHECK(has(header, paper ? "\"way\": \"paper\"" : "\"way\": \"certified\""));
+    CHECK(has(header, paper ? "\"program\": \"published\"" : "\"program\": \"exact\""));
     CHECK(has(header, "\"truncated\": false"));
     CHECK(has(header, "\"refused: crossing\""));
     CHECK(has(header, "\"seconds_refine\""));
@@ -75,6 +76,42 @@ TEST_CASE("the page has every array of the events, of one length, and both ways'
     CHECK(array_of<std::uint32_t>(page, "tets").size() > 0);
     CHECK(array_of<float>(page, "contour_points").empty() == paper);
   }
+}
+
+TEST_CASE("with --paper the page shows the published program, with its counts") {
+  const std::string words = "builtin:fuel:16 --paper --rmin 0.3vox --keep-hits";
+  const std::string page = page_of(words);
+  const CommandLine line = parsed("trace -o page.html " + words);
+  const Volume volume = make_builtin_volume("builtin:fuel:16");
+  paper::Report published;
+  Report report;
+  const TriMesh mesh =
+      mesh_as_published(volume, *line.isovalue, published_options(line, volume), published, report);
+  const auto routine = array_of<std::uint8_t>(page, "event_routine");
+  const auto vertex = array_of<std::uint32_t>(page, "event_vertex");
+  const auto at_switch = std::ranges::find(routine, trace_code(Routine::build_tri_mesh));
+  REQUIRE(at_switch != routine.end());
+  std::size_t in_recover = 0, in_refine = 0;
+  for (std::size_t e = 0; e < routine.size(); ++e) {
+    const bool is_stage1 = routine.begin() + static_cast<std::ptrdiff_t>(e) < at_switch;
+    (is_stage1 ? in_recover : in_refine) += vertex[e] != kNoId;
+    CHECK((routine[e] <= trace_code(Routine::approximate_geom) ||
+           routine[e] == trace_code(Routine::build_tri_mesh) ||
+           routine[e] == trace_code(Operation::surface_point)));
+  }
+  CHECK(in_recover == published.insertions_recover);
+  CHECK(in_refine == published.insertions_refine);
+  CHECK(array_of<std::uint32_t>(page, "event_searches").back() ==
+        published.searches_recover.searches + published.searches_refine.searches);
+  const auto facets = [&](const char* name) {
+    return array_of<std::uint32_t>(page, name).size() / 3;
+  };
+  CHECK(facets("added") - facets("removed") == mesh.faces.size());
+  const std::string_view header = element_of(page, "header");
+  CHECK(has(header, text("\"points_initial\": ", published.points_initial(), ",")));
+  CHECK(has(header, text("\"insertions_recover\": ", in_recover, ",")));
+  CHECK(has(header, text("\"insertions_refine\": ", in_refine, ",")));
+  CHECK(has(header, "exact_topology"));
 }
 
 TEST_CASE(
@@ -118,11 +155,11 @@ TEST_CASE("without times two pages are the same, and the page has the limit") {
 // A site added after the trace was full has no number. Its number was read all the same, from
 // memory after the array. The page does not show it, so only sanitizers can find the fault.
 TEST_CASE("a trace that fills up in the middle of a stage has events of vertices that it knows") {
-  for (const std::string way : {"", " --recover paper", " --paper"}) {
+  for (const std::string program : {"", " --paper"}) {
     for (const std::string limit : {"1", "20", "512"}) {
-      CAPTURE(way);
+      CAPTURE(program);
       CAPTURE(limit);
-      const std::string page = page_of("builtin:gyroid:16 --trace-limit " + limit + way);
+      const std::string page = page_of("builtin:gyroid:16 --trace-limit " + limit + program);
       const std::size_t events = array_of<std::uint8_t>(page, "event_routine").size();
       CHECK(std::to_string(events) == limit);
       const std::size_t vertices = array_of<float>(page, "points").size() / 3;

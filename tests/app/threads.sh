@@ -35,7 +35,7 @@ same closed builtin:gyroid:64 --rmin 0.2vox --cap
 same noise builtin:noise:24 --check --max-distance 0.05vox
 same machine builtin:machine:128 --ply-ascii
 same small builtin:noise:32 --min-component 6
-same paper builtin:torus:32 --recover paper --eps1 0.2
+same paper builtin:torus:32 --paper --eps1 0.2
 same capped builtin:machine:48 --cap
 same filtered builtin:noise:24 --median 1 --smooth 0.8vox --check
 same counted builtin:gyroid:48 --vertices 5000

@@ -55,7 +55,6 @@ CleanMesh prism(const Isosurface& surface, int n) {
 
 TEST_CASE("h of polygons inscribed into a circle is their sagitta") {
   const Volume volume = cylinder(20);
-  const VoxelTree tree(volume);
   const Isosurface surface(volume, geometric_isovalue(volume.type(), 0));
   for (const int n : {5, 8, 13, 24}) {
     CAPTURE(n);
@@ -90,8 +89,7 @@ TEST_CASE("the stages follow the curves on the box, without slivers along them")
     const Scene scene = n == 0   ? builtin_scene("gyroid", 32)
                         : n == 1 ? builtin_scene("fuel", 32)
                                  : wave_scene(static_cast<std::uint64_t>(n), 16);
-    Options options = Options::paper();
-    options.recover = RecoverWay::certified;
+    Options options = paper_criteria();
     options.r_min = {0.05, Length::Unit::voxel};
     Report report;
     const TriMesh mesh = mesh_isosurface(scene.volume, scene.surface.kappa(), options, report);

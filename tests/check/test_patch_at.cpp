@@ -18,7 +18,6 @@ TEST_CASE("a patch finds the point of Sigma that the oracle finds") {
   std::vector<float> samples(9 * 8 * 7);
   for (float& sample : samples) sample = static_cast<float>(random.uniform());
   const Volume volume = Volume::from_samples({9, 8, 7}, {1, 0.5, 2}, samples);
-  const VoxelTree tree(volume);
   const Isosurface surface(volume, 0.5);
   const Box3 box = volume.box().grown(0.1);
   std::size_t found = 0;

@@ -271,7 +271,6 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
 
 TEST_CASE("triangles over a limit are counted as brute force does; too many are a fault") {
   const Good good("fuel");
-  const VoxelTree tree(good.volume);
   const Isosurface surface(good.volume, good.kappa);
   struct Measured {
     double r, l, h;
@@ -338,7 +337,6 @@ TEST_CASE("triangles over a limit are counted as brute force does; too many are 
 // The triangle that a point is on, or nearest to, decides.
 TEST_CASE("r_min allows points within r_min of a triangle no larger than r_min") {
   const Good good("fuel");
-  const VoxelTree voxels(good.volume);
   const Isosurface surface(good.volume, good.kappa);
   const ContourMesh contour = build_contour(good.volume, good.kappa);
   const std::vector<Vec3>& points = good.mesh.points;
@@ -407,7 +405,6 @@ TEST_CASE("triangles without surface near by are too far if distances are requir
     return 20 - length(p);
   });
   const double kappa = geometric_isovalue(volume.type(), 0);
-  const VoxelTree tree(volume);
   const Isosurface surface(volume, kappa);
   Parts p;
   for (const Vec3& direction : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {

@@ -12,7 +12,6 @@
 #include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
 #include "isosurface/isosurface.h"
-#include "kdtree/voxel_tree.h"
 #include "surface/report.h"
 #include "volume/sampled.h"
 #include "volume/volume.h"
@@ -22,18 +21,25 @@ namespace deliso {
 struct Scene {
   explicit Scene(Volume v, double isovalue)
       : volume(std::move(v)),
-        tree(volume),
         surface(volume, geometric_isovalue(volume.type(), isovalue)),
         contour(build_contour(volume, surface.kappa())) {}
   Scene(const Scene&) = delete;
 
   Volume volume;
-  VoxelTree tree;
   Isosurface surface;
   ContourMesh contour;
 };
 
-// For delaunay_mesh(): Stage 1 alone, certified.
+// The criteria of the paper, but r over pole height: h/r and r/l, no bound on the distance.
+inline Options paper_criteria() {
+  Options options;
+  options.limits[Criterion::h_over_r].value = 0.1;
+  options.limits[Criterion::distance] = {Options::kNone, Length::Unit::world};
+  options.r_min = {0.001, Length::Unit::box};
+  return options;
+}
+
+// For delaunay_mesh(): Stage 1 alone.
 inline Options stage1_only() {
   Options options;
   options.stop_after_recover = true;

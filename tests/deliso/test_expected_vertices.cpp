@@ -11,6 +11,7 @@
 
 #include "contour/contour.h"
 #include "deliso/deliso.h"
+#include "deliso/fields.h"
 #include "io/volume/builtin_volume.h"
 #include "volume/sampled.h"
 
@@ -124,7 +125,7 @@ TEST_CASE("what each criterion and limit does to the estimate") {
   Options small = plain;
   small.limits[Criterion::radius] = {0.5};
   CHECK(expected(small) > 1.5 * expected(plain));
-  CHECK(expected(Options::paper()) > expected(plain));
+  CHECK(expected(paper_criteria()) > expected(plain));
 
   Options counted = plain;
   counted.target_vertices = 1000;

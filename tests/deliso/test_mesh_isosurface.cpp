@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Both stages on fields of known topology, by both ways through Recover.
+// Both stages on fields of known topology.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -34,11 +34,11 @@ Run run(const Volume& volume, double isovalue, const Options& options) {
   return out;
 }
 
-// What holds of every mesh, whatever the surface; the paper's may stop short of the box.
-void check_sound(const Run& out, const Volume& volume, RecoverWay way = RecoverWay::certified) {
+// What holds of every mesh, whatever the surface.
+void check_sound(const Run& out, const Volume& volume) {
   const TriMesh& mesh = out.mesh;
   CHECK(check_mesh(mesh) == "");
-  if (way == RecoverWay::certified) CHECK(check_boundary_on_box(mesh, volume.box()) == "");
+  CHECK(check_boundary_on_box(mesh, volume.box()) == "");
   const ValueRange range = value_range(volume);
   for (const Vec3& p : mesh.points) {
     CHECK(volume.box().contains(p));
@@ -84,80 +84,45 @@ bool same_bytes(const TriMesh& a, const TriMesh& b) {
 
 TEST_CASE("fields of known topology get meshes of it, well shaped and on the surface") {
   for (const char* name : {"sphere", "torus", "linked_tori", "five_spheres", "gyroid", "fuel"}) {
-    for (const RecoverWay way : {RecoverWay::certified, RecoverWay::paper}) {
-      CAPTURE(name);
-      CAPTURE(static_cast<int>(way));
-      const Scene scene = builtin_scene(name, 32);
-      Options options = Options::paper();
-      options.recover = way;
-      options.limits[Criterion::h_over_r].value = 0.15;
-      const Run out = run(scene.volume, scene.surface.kappa(), options);
-      check_sound(out, scene.volume, way);
-      // The paper's tests lose a wedge at the box that is too thin for a Voronoi edge.
-      if (way == RecoverWay::certified || scene.contour.summary.boundary_loops() == 0) {
-        check_topology(out.mesh, scene.contour.summary);
-      } else {
-        CHECK(mesh_topology(out.mesh).components.size() + 1 >=
-              scene.contour.summary.components.size());
-      }
-      const std::size_t bad = violations(out, scene.surface, options);
-      CHECK(bad <= out.report[Counter::unrefined_facets]);
-      CHECK(bad <= out.mesh.faces.size() / 1000);
-      CHECK(out.report.insertions_refine > 0);
-    }
+    CAPTURE(name);
+    const Scene scene = builtin_scene(name, 32);
+    Options options = paper_criteria();
+    const Run out = run(scene.volume, scene.surface.kappa(), options);
+    check_sound(out, scene.volume);
+    check_topology(out.mesh, scene.contour.summary);
+    const std::size_t bad = violations(out, scene.surface, options);
+    CHECK(bad <= out.report[Counter::unrefined_facets]);
+    CHECK(bad <= out.mesh.faces.size() / 1000);
+    CHECK(out.report.insertions_refine > 0);
   }
 }
 
-TEST_CASE("stopping after Recover, and the single stage, give sound meshes of the same topology") {
+TEST_CASE("stopping after Recover gives a sound mesh of the same topology") {
   const Scene scene = builtin_scene("linked_tori", 32);
-  Options options = Options::paper();
+  Options options;
   options.stop_after_recover = true;
-  Run out = run(scene.volume, scene.surface.kappa(), options);
+  const Run out = run(scene.volume, scene.surface.kappa(), options);
   check_sound(out, scene.volume);
   check_topology(out.mesh, scene.contour.summary);
   CHECK(out.report.insertions_refine == 0);
   CHECK(out.report.points_recovered == out.mesh.points.size());
-  options.stop_after_recover = false;
-  options.single_stage = true;
-  out = run(scene.volume, scene.surface.kappa(), options);
-  check_sound(out, scene.volume);
-  check_topology(out.mesh, scene.contour.summary);
-  CHECK(violations(out, scene.surface, options) <= out.mesh.faces.size() / 1000);
-}
-
-// It was Stage 1's mesh, unrefined, whose file said that it keeps to the distance.
-TEST_CASE("a single stage of the certified way is refused") {
-  const Scene scene = builtin_scene("sphere", 16);
-  Options options;
-  options.single_stage = true;
-  Report report;
-  CHECK_THROWS_WITH_AS(mesh_isosurface(scene.volume, scene.surface.kappa(), options, report),
-                       "single_stage (--single-stage) needs the paper's Recover (--recover paper): "
-                       "the certified way leaves all refinement to Stage 2",
-                       InputError);
 }
 
 TEST_CASE("smooth noise cut by the box gives valid meshes, also with anisotropic spacing") {
   for (std::uint64_t seed = 1; seed <= (test::kSanitized ? 2 : 6); ++seed) {
-    for (const RecoverWay way : {RecoverWay::certified, RecoverWay::paper}) {
-      CAPTURE(seed);
-      CAPTURE(static_cast<int>(way));
-      const Scene scene = wave_scene(seed, 20, {1, 1, seed % 2 == 0 ? 3.0 : 1.0});
-      Options options = Options::paper();
-      options.recover = way;
-      options.r_min = {0.1, Length::Unit::voxel};
-      const Run out = run(scene.volume, scene.surface.kappa(), options);
-      check_sound(out, scene.volume, way);
-      // The paper's way may lose small components.
-      CHECK(mesh_topology(out.mesh).components.size() <= scene.contour.summary.components.size());
-      if (way == RecoverWay::certified) check_topology(out.mesh, scene.contour.summary);
-    }
+    CAPTURE(seed);
+    const Scene scene = wave_scene(seed, 20, {1, 1, seed % 2 == 0 ? 3.0 : 1.0});
+    Options options = paper_criteria();
+    options.r_min = {0.1, Length::Unit::voxel};
+    const Run out = run(scene.volume, scene.surface.kappa(), options);
+    check_sound(out, scene.volume);
+    check_topology(out.mesh, scene.contour.summary);
   }
 }
 
 // All cases of trilinear data in a small volume. Noise of few levels with half-way isovalues has
 // saddles exactly at kappa and vertices of T that coincide. Some samples equal the isovalue.
-TEST_CASE("certified: tiny volumes of noise have exactly the contour's topology") {
+TEST_CASE("tiny volumes of noise have exactly the contour's topology") {
   int components = 0;
   for (std::uint64_t seed = 1; seed <= test::cases(400u); ++seed) {
     CAPTURE(seed);
@@ -174,7 +139,6 @@ TEST_CASE("certified: tiny volumes of noise have exactly the contour's topology"
     const ContourSummary exact =
         summarize_contour(volume, geometric_isovalue(volume.type(), isovalue));
     Options options;
-    options.recover = RecoverWay::certified;
     options.r_min = {0.35, Length::Unit::voxel};
     options.seed = seed;
     const Run out = run(volume, isovalue, options);
@@ -187,7 +151,7 @@ TEST_CASE("certified: tiny volumes of noise have exactly the contour's topology"
   CHECK(components > test::cases(1000));
 }
 
-TEST_CASE("certified: no small component is lost; the paper's way counts each that it loses") {
+TEST_CASE("no small component is lost, and each is left out that is not asked for") {
   // Bright samples on a dark ground: octahedra far smaller than r_min beside larger ones.
   Random random(3);
   std::vector<std::uint8_t> samples(24 * 24 * 24, 0);
@@ -200,47 +164,34 @@ TEST_CASE("certified: no small component is lost; the paper's way counts each th
     }
   }
   const Volume volume = Volume::from_samples({24, 24, 24}, {1, 1, 1}, samples);
-  for (const RecoverWay way : {RecoverWay::certified, RecoverWay::paper}) {
-    CAPTURE(static_cast<int>(way));
-    Options options = Options::paper();
-    options.recover = way;
-    options.r_min = {0.25, Length::Unit::voxel};
-    const Run out = run(volume, 100.5, options);
-    check_sound(out, volume);
-    const std::size_t missing = 216 - mesh_topology(out.mesh).components.size();
-    CHECK(missing == (way == RecoverWay::certified ? 0 : 215));
-    CHECK(out.report[Counter::unresolved_vertices] >= missing);
-    Options large_only = options;
-    large_only.components.min_voxels = 3;
-    const Run none = run(volume, 100.5, large_only);
-    CHECK(none.report[Counter::components_skipped] == 216);
-    CHECK(none.mesh.faces.empty());
-  }
+  Options options;
+  const Run out = run(volume, 100.5, options);
+  check_sound(out, volume);
+  CHECK(mesh_topology(out.mesh).components.size() == 216);
+  options.components.min_voxels = 3;
+  const Run none = run(volume, 100.5, options);
+  CHECK(none.report[Counter::components_skipped] == 216);
+  CHECK(none.mesh.faces.empty());
 }
 
 TEST_CASE("a flat surface, with all points in one plane, ends on the box") {
   std::vector<float> samples;
   for (int k = 0; k < 8; ++k) samples.insert(samples.end(), 64, static_cast<float>(k));
   const Volume volume = Volume::from_samples({8, 8, 8}, {1, 1, 1}, samples);
-  for (const RecoverWay way : {RecoverWay::certified, RecoverWay::paper}) {
-    CAPTURE(static_cast<int>(way));
-    Options options = Options::paper();
-    options.recover = way;
-    const Run out = run(volume, 3.25, options);
-    check_sound(out, volume);
-    const MeshTopology topology = mesh_topology(out.mesh);
-    CHECK(topology.components.size() == 1);
-    CHECK(topology.euler() == 1);
-    CHECK(topology.boundary_loops == 1);
-    double area = 0;
-    for (const Face& face : out.mesh.faces) {
-      const Vec3 n = area_normal(out.mesh.points[face.v[0]], out.mesh.points[face.v[1]],
-                                 out.mesh.points[face.v[2]]);
-      CHECK(n.z < 0);  // normals point to smaller values
-      area += 0.5 * length(n);
-    }
-    CHECK(area == doctest::Approx(49));
+  const Run out = run(volume, 3.25, paper_criteria());
+  check_sound(out, volume);
+  const MeshTopology topology = mesh_topology(out.mesh);
+  CHECK(topology.components.size() == 1);
+  CHECK(topology.euler() == 1);
+  CHECK(topology.boundary_loops == 1);
+  double area = 0;
+  for (const Face& face : out.mesh.faces) {
+    const Vec3 n = area_normal(out.mesh.points[face.v[0]], out.mesh.points[face.v[1]],
+                               out.mesh.points[face.v[2]]);
+    CHECK(n.z < 0);  // normals point to smaller values
+    area += 0.5 * length(n);
   }
+  CHECK(area == doctest::Approx(49));
 }
 
 TEST_CASE("a volume without a voxel is refused") {
@@ -254,16 +205,13 @@ TEST_CASE("a volume without a voxel is refused") {
 
 TEST_CASE("the same input gives the same bytes; another seed gives another mesh") {
   const Scene scene = builtin_scene("gyroid", 24);
-  for (const RecoverWay way : {RecoverWay::certified, RecoverWay::paper}) {
-    Options options = Options::paper();
-    options.recover = way;
-    const Run a = run(scene.volume, scene.surface.kappa(), options);
-    const Run b = run(scene.volume, scene.surface.kappa(), options);
-    CHECK(same_bytes(a.mesh, b.mesh));
-    options.seed = 2;
-    const Run c = run(scene.volume, scene.surface.kappa(), options);
-    CHECK(c.mesh.points != a.mesh.points);
-  }
+  Options options = paper_criteria();
+  const Run a = run(scene.volume, scene.surface.kappa(), options);
+  const Run b = run(scene.volume, scene.surface.kappa(), options);
+  CHECK(same_bytes(a.mesh, b.mesh));
+  options.seed = 2;
+  const Run c = run(scene.volume, scene.surface.kappa(), options);
+  CHECK(c.mesh.points != a.mesh.points);
 }
 
 TEST_CASE("at max_vertices the run ends with a message") {
@@ -308,13 +256,6 @@ TEST_CASE("lengths in world units, shares of the box and voxels resolve to the s
   CHECK(p.r_min == flat.voxel() / 4);
   CHECK(p.refinement[Criterion::distance] == doctest::Approx(flat.voxel() / 10));
   CHECK(p.refinement[Criterion::h_over_r] == Options::kNone);
-  CHECK_FALSE(p.asks_for_poles());
-  const Parameters published = resolve(Options::paper(), flat);
-  CHECK(published.refinement[Criterion::distance] == Options::kNone);
-  CHECK(published.refinement[Criterion::h_over_r] == 0.1);
-  CHECK(published.refinement.shape_floor == published.r_min);
-  CHECK(published.r_min == doctest::Approx(0.002));
-  CHECK(published.asks_for_poles());
 }
 
 // The promise of the defaults. threads.sh and stress/division.cpp have the same bytes.

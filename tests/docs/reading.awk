@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Lines of a definition. Usage: awk -v name=NAME -f reading.awk FILE
+# With -v show=1 it prints the definitions in place of their lines' number.
 # NAME is a function (`f`, `Class::f`), `class C`, or `file`. A function's lines are those of all its
 # definitions in the file, from the line with its name to the closing brace. Prints 0 if there is none.
 
@@ -83,8 +84,9 @@ END {
       if (!body) continue
     }
     last = close_of(body, "{", "}")
+    if (show) print substr(text, body, last - body + 1)
     lines += line_of(last) - line_of(at) + 1
     from = last
   }
-  print lines + 0
+  if (!show) print lines + 0
 }

@@ -2,8 +2,9 @@
 // The whole way from samples to a checked mesh, on volumes of up to 12 x 12 x 12. The first bytes
 // say size, sample type, spacing, isovalue and options, the rest are samples: taken as they are, or
 // as the parameters of smooth noise. Whatever they say, the mesh is a manifold that ends on the box
-// only (by the paper's way, where nothing is left unresolved). By the certified way its topology is
-// exact unless a counter says otherwise.
+// only, and its topology is exact unless a counter says otherwise. A third of the inputs goes to
+// the published program. It ends, and its mesh is such a manifold unless it left vertices without a
+// disk.
 //
 // With DELISO_FUZZ_WRITE=FILE.nrrd in the environment the volume is written there and the command
 // line that does the same is printed.
@@ -15,6 +16,7 @@
 #include <cstring>
 
 #include "fuzz/reader_target.h"
+#include "paper/deliso.h"
 #include "stress/judge.h"
 #include "stress/tiny_volume.h"
 
@@ -134,7 +136,6 @@ double make_isovalue(ByteSource& source, const Volume& volume, const ValueRange&
 // Small triangles are left alone from a tenth of a voxel on, so that every input is done soon.
 Options make_options(ByteSource& source, const Vec3& spacing) {
   Options options;
-  options.recover = source.below(3) == 0 ? RecoverWay::paper : RecoverWay::certified;
   const std::uint8_t flags = source.next();
   const double ratio =
       std::max({spacing.x, spacing.y, spacing.z}) / std::min({spacing.x, spacing.y, spacing.z});
@@ -148,14 +149,35 @@ Options make_options(ByteSource& source, const Vec3& spacing) {
   if ((flags & 32) != 0) options.max_vertices = 4 + 8 * source.below(256);
   if ((flags & 64) != 0) options.block_side = static_cast<int>(2 + source.below(8));
   if ((flags & 128) != 0) {
-    const std::uint32_t rare = source.below(7);
+    const std::uint32_t rare = source.below(4);
     options.stop_after_recover = rare == 0;
-    options.single_stage = rare == 1 && options.recover == RecoverWay::paper;
-    if (rare == 2) options.limits[Criterion::distance] = {spacing.x * (0.01 + source.share())};
-    if (rare == 3) options.limits[Criterion::radius] = {spacing.x * (0.2 + source.share())};
-    if (rare == 4) options.limits[Criterion::h_over_r].value = 0.05 + source.share();
-    if (rare == 5) options.limits[Criterion::r_over_pole].value = 0.05 + source.share();
-    if (rare == 6) options.cubic = CubicMethod::schwarze;
+    if (rare == 1) options.limits[Criterion::distance] = {spacing.x * (0.01 + source.share())};
+    if (rare == 2) options.limits[Criterion::radius] = {spacing.x * (0.2 + source.share())};
+    if (rare == 3) options.limits[Criterion::h_over_r].value = 0.05 + source.share();
+  }
+  return options;
+}
+
+// The same for the published program, with an end.
+paper::Options make_paper_options(ByteSource& source, const Volume& volume) {
+  paper::Options options;
+  const std::uint8_t flags = source.next();
+  const Vec3 spacing = volume.spacing();
+  const double r_min = (0.1 + source.share()) * std::max({spacing.x, spacing.y, spacing.z});
+  options.r_min = r_min / volume.box().smallest_side();
+  options.max_vertices = (flags & 1) != 0 ? 4 + 8 * source.below(256) : 2000;
+  if ((flags & 2) != 0) options.lines = source.next();
+  if ((flags & 4) != 0) options.seed = source.next();
+  if ((flags & 8) != 0) options.lambda = 1 + 2 * source.share();
+  options.keep_hits = (flags & 16) != 0;
+  if ((flags & 32) != 0) options.solver = CubicMethod::isolation;
+  options.single_stage = (flags & 64) != 0;
+  if ((flags & 128) != 0) {
+    const std::uint32_t rare = source.below(4);
+    options.stop_after_recover = rare == 0;
+    if (rare == 1) options.epsilon = 0.05 + source.share();
+    if (rare == 2) options.epsilon1 = 0.05 + source.share();
+    if (rare == 3) options.epsilon2 = 0.05 + source.share();
   }
   return options;
 }
@@ -163,28 +185,60 @@ Options make_options(ByteSource& source, const Vec3& spacing) {
 void write_case(const Volume& volume, double isovalue, const Options& o, const char* path) {
   stress::write_nrrd(volume, path);
   std::printf(
-      "deliso %s --iso %.17g --recover %s --rmin %.17gvox --fingers %.17gvox "
-      "--min-component %g --seed %llu --lambda %.17g --samples %zu --max-vertices %zu "
-      "--block-side %d%s%s"
-      " --max-distance %.17g%s --max-radius %.17g --eps1 %.17g --eps2 %.17g%s --check\n",
-      path, isovalue, o.recover == RecoverWay::paper ? "paper" : "certified", o.r_min.value,
-      o.fingers.value, o.components.min_voxels, static_cast<unsigned long long>(o.seed),
-      o.limits[Criterion::r_over_l].value, o.samples, o.max_vertices, o.block_side,
-      o.stop_after_recover ? " --stop-after recover" : "", o.single_stage ? " --single-stage" : "",
+      "deliso %s --iso %.17g --rmin %.17gvox --fingers %.17gvox --min-component %g --seed %llu "
+      "--lambda %.17g --samples %zu --max-vertices %zu --block-side %d%s"
+      " --max-distance %.17g%s --max-radius %.17g --eps1 %.17g --check\n",
+      path, isovalue, o.r_min.value, o.fingers.value, o.components.min_voxels,
+      static_cast<unsigned long long>(o.seed), o.limits[Criterion::r_over_l].value, o.samples,
+      o.max_vertices, o.block_side, o.stop_after_recover ? " --stop-after recover" : "",
       o.limits[Criterion::distance].value,
       o.limits[Criterion::distance].unit == Length::Unit::voxel ? "vox" : "",
-      o.limits[Criterion::radius].value, o.limits[Criterion::h_over_r].value,
-      o.limits[Criterion::r_over_pole].value,
-      o.cubic == CubicMethod::schwarze ? " --solver schwarze" : "");
+      o.limits[Criterion::radius].value, o.limits[Criterion::h_over_r].value);
   std::fflush(stdout);
 }
 
-bool any_doubt(const Report& report) {
-  for (const Counter c : {Counter::uncertified_sites, Counter::capped_insertions,
-                          Counter::unresolved_facets, Counter::unresolved_vertices}) {
-    if (report[c] > 0) return true;
+void write_case(const Volume& volume, double isovalue, const paper::Options& o, const char* path) {
+  stress::write_nrrd(volume, path);
+  std::printf(
+      "deliso %s --iso %.17g --paper --rmin %.17g --eps %.17g --eps1 %.17g --eps2 %.17g "
+      "--lambda %.17g --lines %zu --seed %llu --max-vertices %zu%s%s%s%s --check\n",
+      path, isovalue, o.r_min, o.epsilon, o.epsilon1, o.epsilon2, o.lambda, o.lines,
+      static_cast<unsigned long long>(o.seed), o.max_vertices, o.keep_hits ? " --keep-hits" : "",
+      o.single_stage ? " --single-stage" : "", o.stop_after_recover ? " --stop-after recover" : "",
+      o.solver == CubicMethod::isolation ? " --solver isolation" : "");
+  std::fflush(stdout);
+}
+
+void try_exact(const Volume& volume, double isovalue, const Options& options) {
+  Report report;
+  TriMesh mesh;
+  try {
+    mesh = mesh_isosurface(volume, isovalue, options, report);
+  } catch (const InputError& error) {
+    check(error);
+    const bool has_voxel = volume.box().smallest_side() > 0;
+    require(!has_voxel || options.max_vertices < 1u << 20, "refused without --max-vertices");
+    return;
   }
-  return false;
+  const stress::Verdict verdict = stress::judge(volume, mesh, options, report);
+  if (verdict.invalid) found(verdict.fault);
+  const bool is_certain = report[Counter::uncertified_sites] == 0;
+  if (options.components.is_all() && is_certain && !verdict.topology_exact) found(verdict.fault);
+}
+
+void try_published(const Volume& volume, double isovalue, const paper::Options& options) {
+  paper::Report counts;
+  TriMesh mesh;
+  try {
+    mesh = paper::deliso(volume, isovalue, options, counts);
+  } catch (const InputError& error) {
+    check(error);
+    return;
+  }
+  Report report;
+  report.kappa_effective = counts.kappa;
+  const stress::Verdict verdict = stress::judge(volume, mesh, {}, report);
+  if (verdict.invalid && counts.vertices_left == 0) found(verdict.fault);
 }
 
 }  // namespace
@@ -196,30 +250,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   for (std::uint8_t& byte : front) byte = source.next();
   const Volume volume = make_volume(source);
   ByteSource choices(front, sizeof front);
-  const Options options = make_options(choices, volume.spacing());
-  const ValueRange range = value_range(volume);
-  const double isovalue = make_isovalue(choices, volume, range);
-  if (const char* path = std::getenv("DELISO_FUZZ_WRITE")) {
-    write_case(volume, isovalue, options, path);
-  }
-
-  Report report;
-  TriMesh mesh;
-  try {
-    mesh = mesh_isosurface(volume, isovalue, options, report);
-  } catch (const InputError& error) {
-    check(error);
-    const bool has_voxel = volume.box().smallest_side() > 0;
-    require(!has_voxel || options.max_vertices < 1u << 20, "refused without --max-vertices");
-    return 0;
-  }
-  const stress::Verdict verdict = stress::judge(volume, mesh, options, report);
-  const bool certified = options.recover == RecoverWay::certified;
-  // The paper's tests leave vertices unresolved on noise, and the mesh is no manifold there: that
-  // is known, and counted.
-  if (verdict.invalid && (certified || !any_doubt(report))) found(verdict.fault);
-  if (certified && options.components.is_all() && !any_doubt(report) && !verdict.topology_exact) {
-    found(verdict.fault);
+  const char* path = std::getenv("DELISO_FUZZ_WRITE");
+  const auto go = [&](const auto& options, auto& attempt) {
+    const double isovalue = make_isovalue(choices, volume, value_range(volume));
+    if (path) write_case(volume, isovalue, options, path);
+    attempt(volume, isovalue, options);
+  };
+  if (choices.below(3) == 0) {
+    go(make_paper_options(choices, volume), try_published);
+  } else {
+    go(make_options(choices, volume.spacing()), try_exact);
   }
   return 0;
 }

@@ -60,6 +60,11 @@ inline std::vector<TestField> test_fields() {
       sampled<std::uint16_t>({8, 8, 12}, {1, 1, 3},
                              [](int i, int j, int k) { return (i / 2 + j / 2 + k / 3) % 2; }),
       0.5));
+  // Lines of a hundred voxels and more.
+  fields.push_back(test_field(
+      "rod",
+      sampled<std::uint8_t>({160, 3, 4}, {1, 2, 1}, [&](int, int, int) { return random.below(9); }),
+      1.5));
   return fields;
 }
 

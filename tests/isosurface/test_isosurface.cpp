@@ -77,7 +77,7 @@ int side_of(const TestField& field, const Vec3& point) {
 
 TEST_CASE("intersect equals brute force over all voxels") {
   for (const TestField& field : test_fields()) {
-    const VoxelTree tree(field.volume);
+    const VoxelUnits units(field.volume);
     for (const CubicMethod method : {CubicMethod::isolation, CubicMethod::schwarze}) {
       CAPTURE(field.name);
       const Isosurface surface(field.volume, field.kappa, method);
@@ -90,7 +90,7 @@ TEST_CASE("intersect equals brute force over all voxels") {
         Random random(seed);
         const Segment r = hard_segment(random, field.volume);
         surface.intersect(r, hits, counters);
-        const LatticeLine line = tree.lattice_line(r.a, r.direction());
+        const LatticeLine line = units.line(r.a, r.direction());
         const std::vector<Hit> expected = brute_force(field, line, {0, 1}, method);
 
         REQUIRE(hits.size() == expected.size());
@@ -135,7 +135,7 @@ TEST_CASE("intersect equals brute force over all voxels") {
 TEST_CASE("nearest equals the nearest of all brute-force hits") {
   for (const TestField& field : test_fields()) {
     CAPTURE(field.name);
-    const VoxelTree tree(field.volume);
+    const VoxelUnits units(field.volume);
     const Isosurface surface(field.volume, field.kappa);
     SearchCounters counters;
     std::size_t found = 0;
@@ -150,7 +150,7 @@ TEST_CASE("nearest equals the nearest of all brute-force hits") {
       const double limit = std::ldexp(part, static_cast<int>(random.below(12)) - 4);
       const std::optional<Hit> hit = surface.nearest(r.a, direction, limit, counters);
 
-      const LatticeLine line = tree.lattice_line(r.a, direction);
+      const LatticeLine line = units.line(r.a, direction);
       const std::vector<Hit> all =
           brute_force(field, line, {-limit, limit}, CubicMethod::isolation);
       const auto best = std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
@@ -173,7 +173,7 @@ TEST_CASE("nearest equals the nearest of all brute-force hits") {
 TEST_CASE("a search on a segment counts a computation for every active voxel, with hits or not") {
   for (const TestField& field : test_fields()) {
     CAPTURE(field.name);
-    const VoxelTree tree(field.volume);
+    const VoxelUnits units(field.volume);
     const Isosurface surface(field.volume, field.kappa);
     SearchCounters all, expected;
     std::vector<Hit> hits;
@@ -182,7 +182,7 @@ TEST_CASE("a search on a segment counts a computation for every active voxel, wi
       Random random(seed);
       const Segment r = hard_segment(random, field.volume);
       surface.intersect(r, hits, all);
-      const LatticeLine line = tree.lattice_line(r.a, r.direction());
+      const LatticeLine line = units.line(r.a, r.direction());
       const std::size_t active = active_pieces(field, line, {0, 1}).size();
       expected += {1, !hits.empty(), active, hits.empty() ? 0 : active};
       REQUIRE(all.computations == expected.computations);
@@ -199,7 +199,7 @@ TEST_CASE("a search on a segment counts a computation for every active voxel, wi
 TEST_CASE("a search for the nearest hit counts the active voxels that it must look at") {
   for (const TestField& field : test_fields()) {
     CAPTURE(field.name);
-    const VoxelTree tree(field.volume);
+    const VoxelUnits units(field.volume);
     const Isosurface surface(field.volume, field.kappa);
     std::uint64_t without_hit = 0, several = 0;
     for (std::uint64_t seed = 0; seed < 1000; ++seed) {
@@ -214,7 +214,7 @@ TEST_CASE("a search for the nearest hit counts the active voxels that it must lo
 
       // All that begins nearer than the hit. The search looks ahead and back in turns, but for far
       // hits ahead first: to the first hit there, though one behind may be nearer.
-      const LatticeLine line = tree.lattice_line(r.a, direction);
+      const LatticeLine line = units.line(r.a, direction);
       double end = limit, end_ahead = limit;
       if (hit) end = end_ahead = std::abs(hit->t);
       if (hit && hit->t < 0) {
@@ -243,7 +243,6 @@ TEST_CASE("a search for the nearest hit counts the active voxels that it must lo
 
 TEST_CASE("lines without length, not finite or outside the box have no hits") {
   const TestField field = test_fields().front();
-  const VoxelTree tree(field.volume);
   const Isosurface surface(field.volume, field.kappa);
   SearchCounters counters;
   std::vector<Hit> hits;
@@ -263,9 +262,28 @@ TEST_CASE("lines without length, not finite or outside the box have no hits") {
   CHECK(surface.nearest({3.3, 4.4, 5.5}, {0, 0, 1}, inf, counters));
 }
 
+// The search for the nearest hit began in the voxel of its center without a look at whether there
+// is one, and read beyond the samples.
+TEST_CASE("a volume without a voxel has no surface") {
+  for (const Index3 dims : {Index3{1, 1, 1}, Index3{1, 1, 9}, Index3{9, 8, 1}, Index3{1, 9, 8}}) {
+    CAPTURE(dims.i);
+    CAPTURE(dims.k);
+    const Volume volume =
+        sampled<float>(dims, {1, 1, 1}, [](int i, int j, int k) { return (i + j + k) % 2; });
+    const Isosurface surface(volume, 0.5);
+    SearchCounters counters;
+    std::vector<Hit> hits;
+    for (const Vec3& direction : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{0.6, 0, 0.8}}) {
+      surface.intersect({-9 * direction, 9 * direction}, hits, counters);
+      CHECK(hits.empty());
+      CHECK(!surface.nearest({0, 0, 0}, direction, 100, counters));
+    }
+    CHECK(counters.computations == 0);
+  }
+}
+
 TEST_CASE("an isovalue beyond the samples has no surface") {
   const TestField field = test_fields().front();
-  const VoxelTree tree(field.volume);
   SearchCounters counters;
   std::vector<Hit> hits;
   for (const double kappa : {-1e9, -1.0, 255.5, 1e9}) {

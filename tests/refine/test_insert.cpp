@@ -57,36 +57,6 @@ TEST_CASE("no point in the diametral ball of a boundary edge is inserted: the ed
   CHECK(tried > 50);
 }
 
-TEST_CASE("a new vertex has the mean pole height of the vertices around it") {
-  const Scene scene = builtin_scene("sphere", 16);
-  Stage stage(scene);
-  Random random(1);
-  IdArray<VertexId, double>& heights = stage.surface_mesh.pole_heights;
-  for (VertexId v = 0; v < stage.mesh.points.size(); ++v) heights.push_back(random.uniform(1, 9));
-  int inserted = 0;
-  for (int n = 0; n < 40; ++n) {
-    const FaceId f = stage.random_facet(random);
-    const Dual dual = stage.surface_mesh.duals[f];
-    const VertexId v(stage.mesh.points.size());
-    if (!dual.on_surface || insert_point(stage.r, Operation::surface_point, f, dual.center))
-      continue;
-    ++inserted;
-    // Each vertex around v is in two of the new facets.
-    double sum = 0;
-    std::size_t corners = 0;
-    for (const FaceId created : stage.r.created()) {
-      for (const VertexId w : stage.mesh.faces[created].v) {
-        if (w == v) continue;
-        sum += heights[w];
-        ++corners;
-      }
-    }
-    REQUIRE(heights.size() == stage.mesh.points.size());
-    CHECK(heights[v] == doctest::Approx(sum / static_cast<double>(corners)));
-  }
-  CHECK(inserted > 10);
-}
-
 TEST_CASE("Stage 2 leaves no facet of a smooth surface that violates a criterion") {
   for (const char* name : {"sphere", "torus"}) {
     CAPTURE(name);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "app/option_table.h"
 #include "base/text.h"
@@ -50,6 +51,13 @@ std::string components_differ(double, const Outcome& with, const Outcome&) {
   return text(came, " components, chosen were ", with.chosen_components);
 }
 
+// True if the option of `word` is among the words.
+bool has_word(const Words& words, const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  return std::ranges::any_of(
+      words, [&](const std::string& other) { return other.substr(0, other.find('=')) == name; });
+}
+
 bool is_same_mesh(const TriMesh& a, const TriMesh& b) {
   return std::ranges::equal(a.points, b.points) &&
          std::ranges::equal(a.faces, b.faces, {}, &Face::v, &Face::v);
@@ -61,9 +69,12 @@ std::string another_mesh(double, const Outcome& with, const Outcome& without) {
 }
 
 constexpr unsigned kCoarser = kLongerEdges | kLargerDistances;
-// The paper's way need not end: docs/guide/recover-paper.md.
-constexpr const char* kPapersEnd = "--max-vertices=10000";
-constexpr unsigned kPapers = kCoarser | kMoreVertices | kNoPromise | kAlways | kNoParts;
+constexpr unsigned kPapers = kCoarser | kMoreVertices | kPaper | kAlways | kNoParts;
+
+// Returns the option behind --paper, with an end: the published program need not end by itself.
+Words of_paper(const std::string& option) {
+  return {option, "--paper", "--max-vertices=5000"};
+}
 
 constexpr DrawnOption kDrawn[] = {
     {"--label",
@@ -73,25 +84,25 @@ constexpr DrawnOption kDrawn[] = {
      kOtherField | kUsual},
     {"--shared",  // its name is that of the volume's file
      [](Random&, const OptionVolume& v) { return v.labels > 0 ? Words{"--shared"} : Words{}; },
-     kOtherField | kUsual | kNoParts},
+     kOtherField | kUsual | kNoParts | kNotPaper},
     {"--smooth", [](Random& r, auto&) { return Words{"--smooth=" + number(r, 0.3, 2) + "vox"}; },
      kOtherField},
     {"--median", [](Random& r, auto&) { return Words{text("--median=", 1 + r.below(2))}; },
      kOtherField},
     {"--roi", roi, kOtherField},  // filters see only these samples
-    {"--largest", [](Random& r, auto&) { return Words{text("--largest=", 1 + r.below(5))}; }, 0,
-     components_differ},
+    {"--largest", [](Random& r, auto&) { return Words{text("--largest=", 1 + r.below(5))}; },
+     kNotPaper, components_differ},
     {"--min-component",
-     [](Random& r, auto&) { return Words{"--min-component=" + number(r, 0.5, 12)}; }, 0,
+     [](Random& r, auto&) { return Words{"--min-component=" + number(r, 0.5, 12)}; }, kNotPaper,
      components_differ},
-    {"--cap", [](Random&, auto&) { return Words{"--cap"}; }},
+    {"--cap", [](Random&, auto&) { return Words{"--cap"}; }, kNotPaper},
     {"--vertices", [](Random& r, auto&) { return Words{"--vertices=" + whole(r, 4, 2000)}; },
-     kCoarser | kMoreVertices | kAlways | kNoParts,
+     kCoarser | kMoreVertices | kAlways | kNoParts | kNotPaper,
      [](double asked, const Outcome& with, auto&) {
        return count_differs(asked, with.vertices, with);
      }},
     {"--triangles", [](Random& r, auto&) { return Words{"--triangles=" + whole(r, 8, 4000)}; },
-     kCoarser | kMoreVertices | kAlways | kNoParts,
+     kCoarser | kMoreVertices | kAlways | kNoParts | kNotPaper,
      [](double asked, const Outcome& with, auto&) {
        return count_differs(asked, with.triangles, with);
      }},
@@ -103,51 +114,36 @@ constexpr DrawnOption kDrawn[] = {
      }},
     {"--max-distance",
      [](Random& r, auto&) { return Words{"--max-distance=" + number(r, 0.02, 2) + "vox"}; },
-     kCoarser | kMoreVertices},
+     kCoarser | kMoreVertices | kNotPaper},
     {"--lambda", [](Random& r, auto&) { return Words{"--lambda=" + number(r, 1, 5)}; },
      kMoreVertices},
     {"--eps1", [](Random& r, auto&) { return Words{"--eps1=" + number(r, 0.05, 1)}; },
      kCoarser | kMoreVertices},
-    {"--eps2", [](Random& r, auto&) { return Words{"--eps2=" + number(r, 0.1, 1)}; },
-     kCoarser | kMoreVertices | kNoParts},
     {"--max-radius",
      [](Random& r, auto&) { return Words{"--max-radius=" + number(r, 0.3, 4) + "vox"}; },
-     kMoreVertices},
+     kMoreVertices | kNotPaper},
     {"--rmin", [](Random& r, auto&) { return Words{"--rmin=" + number(r, 0.1, 40) + "vox"}; },
      kCoarser | kMoreVertices},
-    {"--paper",
-     [](Random& r, auto&) {
-       return Words{"--paper", "--rmin=" + number(r, 0.2, 1) + "vox", kPapersEnd};
-     },
+    {"--paper", [](Random& r, auto&) { return of_paper("--rmin=" + number(r, 0.2, 1) + "vox"); },
      kPapers},
-    {"--recover",
-     [](Random&, auto&) {
-       return Words{"--recover=paper", kPapersEnd};
-     },
-     kPapers},
-    {"--eps",
-     [](Random& r, auto&) {
-       return Words{"--eps=" + number(r, 0.05, 1), "--recover=paper", kPapersEnd};
-     },
-     kPapers},
-    {"--single-stage",
-     [](Random&, auto&) {
-       return Words{"--single-stage", "--recover=paper", kPapersEnd};
-     },
-     kPapers},
+    {"--eps", [](Random& r, auto&) { return of_paper("--eps=" + number(r, 0.05, 1)); }, kPapers},
+    {"--eps2", [](Random& r, auto&) { return of_paper("--eps2=" + number(r, 0.1, 1)); }, kPapers},
+    {"--lines", [](Random& r, auto&) { return of_paper("--lines=" + whole(r, 0, 500)); }, kPapers},
+    {"--keep-hits", [](Random&, auto&) { return of_paper("--keep-hits"); }, kPapers},
+    {"--single-stage", [](Random&, auto&) { return of_paper("--single-stage"); }, kPapers},
+    {"--solver", [](Random&, auto&) { return of_paper("--solver=isolation"); }, kPapers},
     {"--stop-after", [](Random&, auto&) { return Words{"--stop-after=recover"}; },
      kCoarser | kAlways},
     {"--fingers", [](Random& r, auto&) { return Words{"--fingers=" + number(r, 0.05, 2) + "vox"}; },
-     kMoreVertices},
+     kMoreVertices | kNotPaper},
     // Without the 50 points that are usual, flat places have longer edges.
     {"--samples", [](Random& r, auto&) { return Words{"--samples=" + whole(r, 1, 2000)}; },
-     kLongerEdges | kMoreVertices},
+     kLongerEdges | kMoreVertices | kNotPaper},
     {"--seed", [](Random& r, auto&) { return Words{text("--seed=", r.below(1000))}; }},
-    {"--solver", [](Random&, auto&) { return Words{"--solver=schwarze"}; }},
     {"--block-side", [](Random& r, auto&) { return Words{text("--block-side=", 4 + r.below(9))}; },
-     kCoarser | kMoreVertices},
-    {"--part", [](Random& r, auto&) { return Words{text("--part=1/", 1 + r.below(9))}; }, kNoParts,
-     another_mesh},
+     kCoarser | kMoreVertices | kNotPaper},
+    {"--part", [](Random& r, auto&) { return Words{text("--part=1/", 1 + r.below(9))}; },
+     kNoParts | kNotPaper, another_mesh},
     {"--threads", [](Random& r, auto&) { return Words{text("--threads=", 2 + r.below(3))}; }, 0,
      another_mesh},
 };
@@ -180,11 +176,17 @@ Draw draw_options(std::uint64_t seed, const OptionVolume& volume, const DrawnOpt
     if (std::ranges::find(drawn, &option) != drawn.end()) return;
     const bool is_first = drawn.empty();
     if (!is_first && (option.exempt & exclude) != 0) return;
+    const auto excludes = [&](const DrawnOption* other) {
+      return ((option.exempt | other->exempt) & (kPaper | kNotPaper)) == (kPaper | kNotPaper);
+    };
+    if (std::ranges::any_of(drawn, excludes)) return;
     const Words words = option.draw(random, volume);
     if (words.empty()) return;
     drawn.push_back(&option);
     Words& to = is_first ? draw.first_words : draw.other_words;
-    to.insert(to.end(), words.begin(), words.end());
+    std::ranges::copy_if(words, std::back_inserter(to), [&](const std::string& word) {
+      return !has_word(draw.first_words, word) && !has_word(draw.other_words, word);
+    });
     if (is_first || (option.exempt & kAlways) != 0) draw.exempt |= option.exempt;
   };
   if (first) {

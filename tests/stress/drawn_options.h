@@ -45,11 +45,12 @@ enum Exemption : unsigned {
   kLongerEdges = 1,
   kLargerDistances = 2,
   kMoreVertices = 4,  // so seconds are compared per vertex
-  kNoPromise = 8,     // a method for comparison, whose meshes are not judged
+  kPaper = 8,         // the published program, which promises little
   kOtherField = 16,   // another volume is meshed: nothing is compared
-  kAlways = 32,    // exempts runs that have the option among others, and so does their comparison
-  kUsual = 64,     // no exemption: drawn for most volumes that it means something for
-  kNoParts = 128,  // --part excludes it: the command line is refused
+  kAlways = 32,     // exempts runs that have the option among others, and so does their comparison
+  kUsual = 64,      // no exemption: drawn for most volumes that it means something for
+  kNoParts = 128,   // --part excludes it: the command line is refused
+  kNotPaper = 256,  // --paper excludes it, likewise
 };
 
 struct DrawnOption {

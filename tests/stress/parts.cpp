@@ -68,8 +68,10 @@ Case make_case(std::uint64_t seed, const std::string& file) {
       all.insert(all.end(), draw.other_words.begin(), draw.other_words.end());
       return all;
     }());
-    const auto is_side = [](const std::string& word) { return word.starts_with("--block-side"); };
-    if (std::ranges::none_of(words, is_side)) {
+    const auto excludes_side = [](const std::string& word) {
+      return word.starts_with("--block-side") || word == "--paper";
+    };
+    if (std::ranges::none_of(words, excludes_side)) {
       words.push_back(text("--block-side=", 4 + number % 5));
     }
     return {std::move(volume), std::move(words)};

@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "base/random.h"
@@ -59,15 +58,6 @@ std::vector<FaceId> encroached_by_passes(const SurfaceMesh& s, FaceId start, con
 }
 
 }  // namespace
-
-TEST_CASE("the pole height of a facet is the mean of its corners', infinite without any") {
-  SurfaceMesh s;
-  CHECK(s.pole({0, 1, 2}) == std::numeric_limits<double>::infinity());
-  for (const double height : {3.0, 6.0, 27.0, 1.5}) s.pole_heights.push_back(height);
-  CHECK(s.pole({0, 1, 2}) == doctest::Approx(12));
-  CHECK(s.pole({2, 0, 1}) == doctest::Approx(12));
-  CHECK(s.pole({1, 3, 0}) == doctest::Approx(3.5));
-}
 
 TEST_CASE("the facets encroached upon are those around the start whose balls hold the point") {
   std::size_t large = 0;

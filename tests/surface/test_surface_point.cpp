@@ -31,11 +31,10 @@ Volume flat_world(bool has_wall, double ground) {
 }
 
 struct Finder {
-  explicit Finder(Volume v) : volume(std::move(v)), tree(volume), surface(volume, 0) {}
+  explicit Finder(Volume v) : volume(std::move(v)), surface(volume, 0) {}
   Finder(const Finder&) = delete;
 
   Volume volume;
-  VoxelTree tree;
   Isosurface surface;
   SurfacePointFinder finder{surface};
   SearchCounters counters;

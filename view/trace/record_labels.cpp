@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Records the certified Stage 1: why a vertex of T becomes a site, the vertices of T in its region,
-// and the facets of K that are removed and added.
+// Records Stage 1: why a vertex of T becomes a site, the vertices of T in its region, and the
+// facets of K that are removed and added.
 #include <cmath>
 
+#include "surface/parameters.h"
 #include "view/trace/recorder.h"
 
 namespace deliso {
@@ -28,11 +29,18 @@ Routine routine_of(Reason reason) {
 
 }  // namespace
 
+void TraceRecorder::run_begins(const Parameters& parameters, const Report& report) {
+  Recording::run_begins(report.searches_recover, report.searches_refine, parameters.r_min);
+}
+
+TraceEvent& TraceRecorder::asks(Routine routine, Reason reason, double value) {
+  return trace_.asks(trace_code(routine), trace_code(reason), value);
+}
+
 void TraceRecorder::labels_ready(const Labels& labels, const Box3& domain) {
   labels_ = &labels;
-  box_ = domain;
   label_ = labels.all();
-  number_vertices();
+  sites_begin(labels.triangulation(), domain);
   const ContourMesh& contour = labels.contour();
   TraceEvent& event = asks(Routine::init_triangulation, Reason::beginning, 0);
   for (const Triangle& t : contour.triangles) {
@@ -63,10 +71,18 @@ void TraceRecorder::site_asked(Reason reason, SiteId asker, VertexId v) {
   if (asker != kNoId) event.caller[0] = number(asker);
 }
 
+void TraceRecorder::insertion_begins(const Vec3& p, const ConflictZone& zone) {
+  if (!trace_.is_full()) tell_zone(p, zone);
+}
+
+void TraceRecorder::site_added(SiteId site) {
+  if (!trace_.is_full()) show_labels(site);
+  record(TraceOutcome::done);
+}
+
 void TraceRecorder::show_labels(SiteId site) {
-  if (trace_.is_full()) return;
   const Labels& labels = *labels_;
-  number_vertices();
+  number_sites();
   TraceEvent& event = trace_.event();
   event.vertex = number(site);
   const auto is_taken = [&](VertexId v) { return labels.label(v) == site && label_[v] != site; };

@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/triangle.h"
 #include "delaunay/voronoi.h"
 #include "refine/refinement.h"
-#include "surface/criteria.h"
 
 namespace deliso {
 
@@ -21,33 +19,12 @@ void TraceRecorder::number_mesh(const std::vector<Triangle>& facets, VertexId ne
   }
 }
 
-void TraceRecorder::update_worst(const std::vector<FaceId>& gone, const std::vector<FaceId>& come) {
-  for (const FaceId f : gone) distances_.erase(distances_.find(distance_[f]));
-  distance_.resize(mesh_->mesh.faces.size());
-  for (const FaceId f : come) {
-    const Triangle& v = mesh_->mesh.faces[f].v;
-    const Dual& dual = mesh_->duals[f];
-    const IdArray<VertexId, Vec3>& p = mesh_->mesh.points;
-    const FacetShape shape = measure(p[v[0]], p[v[1]], p[v[2]], dual.center);
-    const bool is_small = shape.r <= r_min_;
-    distance_[f] = is_small ? 0 : dual.on_surface ? shape.h : shape.r;
-    distances_.insert(distance_[f]);
-  }
-  if (!distances_.empty()) trace_.set_worst(*distances_.rbegin());
-}
-
 void TraceRecorder::mesh_handed_over(const SurfaceMesh& s) {
   mesh_ = &s;
-  std::vector<FaceId> all(s.mesh.faces.size());
-  std::iota(all.begin(), all.end(), FaceId(0));
-  update_worst({}, all);
-  count_searches();  // BuildTriMesh's are Recover's
-  trace_.switch_to(s.mesh);
-}
-
-void TraceRecorder::mesh_finished() {
-  trace_.end_mesh();
-  report_ = nullptr;
+  mesh_begins(s.mesh, [&s](FaceId f) {
+    const Dual& dual = s.duals[f];
+    return dual.on_surface ? std::optional(dual.center) : std::nullopt;
+  });
 }
 
 void TraceRecorder::tell_question(const Question& question, Operation operation) {

@@ -2,9 +2,9 @@
 // A run, insertion by insertion: what was inserted, who asked for it and why, and which facets went
 // and came. For looking at a run and learning from it; nothing is decided by it.
 //
-// Recorded only when asked for (Options::trace); without it a hook is a test of a pointer. With it
-// Stage 2 refines the mesh undivided, so that the order is that of paper Figure 9. The same run
-// gives the same trace but for the times.
+// Filled by the observers of recorder.h and record_paper.h, for the exact and the published
+// program. When the exact program is followed, its Stage 2 refines the mesh undivided, so that the
+// order is that of paper Figure 9. The same run gives the same trace but for the times.
 //
 //   T1  Vertices have numbers of the trace's own, in the order in which they come. One that moves
 //       is a new one.
@@ -35,11 +35,10 @@ namespace deliso {
 // Who inserts, in the words of paper Figures 4, 5 and 9 (view/trace/trace_names.h explains each).
 enum class Routine : std::uint8_t {
   init_triangulation,
-  protect_boundary,
-  multi_intersect,
+  multi_intersect,  // this and the next two: the published program
   extract_manifold,
   approximate_geom,
-  certify,  // this and the next three: the certified way
+  certify,  // this and the next three: the exact program
   find_protrusions,
   resolve_crossings,
   correct_reversed,
@@ -47,17 +46,22 @@ enum class Routine : std::uint8_t {
   count_           // then the operations of Stage 2
 };
 
-// Of an attempt.
+// The reasons that the published program alone has.
+enum class PaperReason : std::uint8_t { several_hits, no_disk, no_half_disk, r_over_pole, count_ };
+
+// Of an attempt. A split is an insertion in place of that asked for; the published program has it
+// and the refusals after it.
 enum class TraceOutcome : std::uint8_t {
   done,
   split,
-  forgotten,
-  refused,
-  count_  // then the refusals of Stage 2
+  vertex_there,
+  at_curve,
+  not_a_disk,
+  count_  // then the refusals of the exact program's Stage 2
 };
 
-// Their numbers in events: operations follow the routines, criteria the reasons, refusals the
-// outcomes.
+// Their numbers in events: operations follow the routines, criteria and then the published
+// program's reasons follow the reasons, refusals the outcomes.
 constexpr std::uint8_t trace_code(Routine routine) {
   return static_cast<std::uint8_t>(routine);
 }
@@ -72,6 +76,9 @@ constexpr std::uint8_t trace_code(Operation operation) {
 }
 constexpr std::uint8_t trace_code(Criterion criterion) {
   return trace_code(reason_of(criterion));
+}
+constexpr std::uint8_t trace_code(PaperReason reason) {
+  return static_cast<std::uint8_t>(trace_code(Criterion::count_) + static_cast<unsigned>(reason));
 }
 constexpr std::uint8_t trace_code(Refusal refusal) {
   return static_cast<std::uint8_t>(trace_code(TraceOutcome::count_) +
@@ -121,7 +128,7 @@ struct TraceArrays {
   TraceList<std::uint32_t> removed, added, zone, star, cone, relabel;
   TraceList<float> hits;
   std::vector<std::uint32_t> tets;  // of Del S at the switch
-  // T, of the certified way, with the first site of each vertex; empty where it is too large.
+  // T, of the exact program, with the first site of each vertex; empty where it is too large.
   std::vector<float> contour_points;
   std::vector<std::uint32_t> contour_triangles, contour_label;
 };

@@ -10,8 +10,6 @@ RoutineName name_of(Routine routine) {
       {"init_triangulation", "4", 1,
        "InitTriangulation: the first sample, its Delaunay triangulation, and the facets of this "
        "that are told to be the surface's"},
-      {"protect_boundary", "", 1,
-       "edges along the box are split until no vertex is in their diametral balls (section 5)"},
       {"multi_intersect", "5", 1,
        "MultiIntersect: where a Voronoi edge meets the surface more than once, the furthest of "
        "these points is inserted"},
@@ -89,8 +87,29 @@ ReasonName name_of(Reason reason) {
   return names[static_cast<std::size_t>(reason)];
 }
 
-std::string_view name_of(TraceOutcome outcome) {
-  constexpr std::string_view names[] = {"done", "split", "forgotten", "refused"};
+ReasonName name_of(PaperReason reason) {
+  constexpr ReasonName names[] = {
+      {"several hits", "the Voronoi edge meets the surface more than once; value: how often"},
+      {"no disk", "a vertex whose facets are no disk; value: facets in D_q"},
+      {"no half disk",
+       "a vertex of a boundary curve whose facets are no half disk that ends at its neighbors "
+       "there; value: facets in D_q"},
+      {"r/pole",
+       "r over the pole height is over its limit, that of --eps2; value: times the limit"}};
+  static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(PaperReason::count_));
+  return names[static_cast<std::size_t>(reason)];
+}
+
+ReasonName name_of(TraceOutcome outcome) {
+  constexpr ReasonName names[] = {
+      {"done", "done"},
+      {"split", "an edge of the boundary curves was split in its place"},
+      {"refused: vertex there", "there is a vertex at the point"},
+      {"refused: beside a curve",
+       "the point is in the diametral ball of an edge of the boundary curves, which is not split"},
+      {"refused: no disk",
+       "the facets that the point encroaches upon, E, are no disk, or have a "
+       "vertex inside"}};
   static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(TraceOutcome::count_));
   return names[static_cast<std::size_t>(outcome)];
 }

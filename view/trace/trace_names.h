@@ -18,11 +18,13 @@ RoutineName name_of(Routine routine);
 RoutineName routine_of(Operation operation);
 
 struct ReasonName {
-  std::string_view name, text;  // what an event's value is, too
+  std::string_view name, text;  // of a reason, what an event's value is, too
 };
 ReasonName name_of(Reason reason);
+ReasonName name_of(PaperReason reason);
 
-std::string_view name_of(TraceOutcome outcome);
+// A refusal's name begins with "refused".
+ReasonName name_of(TraceOutcome outcome);
 std::string_view text_of(Refusal refusal);
 
 }  // namespace deliso

@@ -21,10 +21,10 @@ printf 'OFF\n0 0 0\n' >"$work/empty.off"
 "$deliso" view "$work/torus.ply" "$work/fuel <b>.ply" --volume builtin:fuel:20 -q \
   -o "$work/two.html"
 "$deliso" view "$work/empty.off" -q -o "$work/empty.html"
-"$deliso" trace builtin:torus:20 -q -o "$work/certified.html"
+"$deliso" trace builtin:torus:20 -q -o "$work/exact.html"
 "$deliso" trace builtin:fuel:20 --paper -q -o "$work/paper.html"
 # The tour, by its keys, to the end; then a few steps. A fault in it is told by the page's message.
-for page in certified paper; do
+for page in exact paper; do
   sed '/^<\/body>$/,$d' "$work/$page.html" >"$work/$page-tour.html"
   cat >>"$work/$page-tour.html" <<'END'
 <script>
@@ -70,7 +70,7 @@ is_fine() {
 # The browser's virtual time does not wait for the decompression of the data: on a busy machine a
 # page may need more of it.
 faults=0
-for page in two empty certified paper certified-tour paper-tour cut link; do
+for page in two empty exact paper exact-tour paper-tour cut link; do
   verdict=
   for budget in 4000 20000 100000; do
     timeout 120 "$browser" --headless=new --no-sandbox --use-angle=swiftshader \

@@ -526,8 +526,9 @@ function names_in(file, from, shape) {
 test('tables of colors: every operation and criterion, fixed, distinct, not red against green', () => {
   const routines = names_in('view/trace/trace_names.cpp', 'RoutineName names[]', /\{"(\w+)"/g);
   const operations = names_in('src/surface/report.h', 'kOperationNames', /"(\w+)"/g);
-  const reasons = names_in('view/trace/trace_names.cpp', 'ReasonName names[]', /\{"([^"]+)",/g);
-  assert.ok(routines.length === 10 && operations.length >= 7 && reasons.length >= 18);
+  const reasons = ['Reason', 'PaperReason'].flatMap((kind) =>
+    names_in('view/trace/trace_names.cpp', `name_of(${kind} `, /\{"([^"]+)",/g));
+  assert.ok(routines.length === 9 && operations.length >= 7 && reasons.length >= 18);
   assert.deepEqual(Object.keys(kOperations), [...routines, ...operations]);
   for (const reason of [...reasons, ...kMeasured]) assert.ok(kCriteria[reason], reason);
   for (const table of [kOperations, kCriteria]) {

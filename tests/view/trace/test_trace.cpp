@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -20,7 +21,9 @@
 #include "deliso/fields.h"
 #include "mesh/meshes.h"
 #include "mesh/star.h"
+#include "paper/deliso.h"
 #include "refine/refinement.h"
+#include "view/trace/record_paper.h"
 #include "view/trace/trace_names.h"
 
 using namespace deliso;
@@ -32,7 +35,8 @@ constexpr std::size_t kNoLimit = 1'000'000;
 struct Traced {
   Trace trace{kNoLimit, false};
   TriMesh mesh;
-  Report report;
+  Report report;            // of the exact program
+  paper::Report published;  // or of the published one
 };
 
 Traced traced(const Volume& volume, double isovalue, Options options,
@@ -43,6 +47,26 @@ Traced traced(const Volume& volume, double isovalue, Options options,
   options.observer = &recorder;
   out.mesh = mesh_isosurface(volume, isovalue, options, out.report);
   return out;
+}
+
+Traced traced(const Scene& scene, const Options& options, std::size_t limit = kNoLimit) {
+  return traced(scene.volume, scene.surface.kappa(), options, limit);
+}
+
+Traced traced(const Scene& scene, paper::Options options, std::size_t limit = kNoLimit) {
+  Traced out;
+  out.trace = Trace(limit, false);
+  PaperRecorder recorder(out.trace);
+  options.observer = &recorder;
+  out.mesh = paper::deliso(scene.volume, scene.surface.kappa(), options, out.published);
+  return out;
+}
+
+// Calls look(options) with both programs' options.
+template <class Look>
+void for_both_programs(Look&& look) {
+  look(Options{});
+  look(paper::Options{.r_min = 0.02});
 }
 
 // The items of one event.
@@ -66,6 +90,10 @@ std::vector<Triangle> triangles_of(const TraceList<std::uint32_t>& list, std::si
 Triangle rotated(Triangle t) {
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;
+}
+
+Triangle mirrored(const Triangle& t) {
+  return {t[1], t[0], t[2]};
 }
 
 Triangle sorted(Triangle t) {
@@ -147,8 +175,7 @@ void check_replay(const Traced& run) {
       replay(trace, e, complex);
     }
     if (!is_done(trace, e)) {
-      CHECK(triangles_of(trace.arrays().removed, e).size() <=
-            (trace.arrays().outcome[e] == trace_code(TraceOutcome::forgotten)));
+      CHECK(triangles_of(trace.arrays().removed, e).empty());
       CHECK(triangles_of(trace.arrays().added, e).empty());
       CHECK(trace.arrays().vertex[e] == kNoId);
     }
@@ -181,36 +208,61 @@ std::size_t check_zones(const Trace& trace) {
   return cells;
 }
 
-Options paper_way() {
-  Options options;
-  options.recover = RecoverWay::paper;
-  return options;
+// The largest distance of all facets above r_min. x(f): the surface point of f, or none.
+template <class SurfacePoint>
+float largest_distance(const TriMesh& mesh, double r_min, SurfacePoint&& x) {
+  double h = 0;
+  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
+    if (is_dead(mesh.faces[f])) continue;
+    const Triangle& v = mesh.faces[f].v;
+    const std::optional<Vec3> at = x(f);
+    const FacetShape shape =
+        measure(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], at.value_or(Vec3{}));
+    if (shape.r > r_min) h = std::max(h, at ? shape.h : shape.r);
+  }
+  return static_cast<float>(h);
 }
 
-// As a trace has it.
-Options undivided(Options options) {
-  options.block_side = 0;
-  return options;
+// The trace has these from the switch on, and none before. Returns that at the switch.
+float check_worst(const Trace& trace, const std::vector<float>& worst) {
+  const std::vector<float>& told = trace.arrays().worst;
+  REQUIRE(told.size() > worst.size());
+  const auto at_switch = told.end() - static_cast<std::ptrdiff_t>(worst.size());
+  CHECK(std::all_of(told.begin(), at_switch, [](float h) { return std::isnan(h); }));
+  CHECK(std::equal(worst.begin(), worst.end(), at_switch));
+  return *at_switch;
 }
 
 }  // namespace
 
-TEST_CASE("facets replayed are the mesh, and zones are in conflict, both ways") {
+TEST_CASE("facets replayed are the mesh, and zones are in conflict, in both programs") {
   for (const char* name : {"sphere", "torus", "fuel", "gyroid"}) {
     const Scene scene = builtin_scene(name, 24);
-    for (const Options& options : {Options{}, paper_way()}) {
+    for_both_programs([&](const auto& options) {
       CAPTURE(name);
-      CAPTURE(static_cast<int>(options.recover));
-      const Traced run = traced(scene.volume, scene.surface.kappa(), options);
+      const Traced run = traced(scene, options);
       check_replay(run);
       const std::size_t cells = check_zones(run.trace);
-      if (run.report.insertions_recover() > 0) CHECK(cells > run.report.insertions_recover());
+      const std::size_t recovered =
+          run.report.insertions_recover() + run.published.insertions_recover;
+      if (recovered > 0) CHECK(cells > recovered);
       const auto inserted =
           std::count_if(run.trace.arrays().vertex.begin(), run.trace.arrays().vertex.end(),
                         [](std::uint32_t v) { return v != kNoId; });
-      CHECK(static_cast<std::size_t>(inserted) >= run.report.insertions_recover());
-    }
+      CHECK(static_cast<std::size_t>(inserted) >= recovered);
+    });
   }
+}
+
+TEST_CASE("the published program in one stage, or without Refine, ends with its mesh too") {
+  const Scene scene = wave_scene(1, 10);
+  paper::Options options{.r_min = 0.05};
+  options.single_stage = true;
+  const Traced single = traced(scene, options);
+  check_replay(single);
+  CHECK(single.published.insertions_refine > 0);
+  options.stop_after_recover = true;
+  check_replay(traced(scene, options));
 }
 
 TEST_CASE("the worst distance of the mesh after every event, by brute force") {
@@ -228,16 +280,10 @@ TEST_CASE("the worst distance of the mesh after every event, by brute force") {
       worst.push_back(largest());
     }
     float largest() const {
-      double h = 0;
-      for (FaceId f = 0; f < surface_mesh->mesh.faces.size(); ++f) {
-        if (is_dead(surface_mesh->mesh.faces[f])) continue;
-        const Triangle& v = surface_mesh->mesh.faces[f].v;
-        const auto& p = surface_mesh->mesh.points;
+      return largest_distance(surface_mesh->mesh, r_min, [&](FaceId f) {
         const Dual& dual = surface_mesh->duals[f];
-        const FacetShape shape = measure(p[v[0]], p[v[1]], p[v[2]], dual.center);
-        if (shape.r > r_min) h = std::max(h, dual.on_surface ? shape.h : shape.r);
-      }
-      return static_cast<float>(h);
+        return dual.on_surface ? std::optional(dual.center) : std::nullopt;
+      });
     }
     double r_min = 0;
     const SurfaceMesh* surface_mesh = nullptr;
@@ -253,70 +299,174 @@ TEST_CASE("the worst distance of the mesh after every event, by brute force") {
     recorder.r_min = options.r_min.in(scene.volume);
     options.observer = &recorder;
     mesh_isosurface(scene.volume, scene.surface.kappa(), options, report);
-    const std::vector<float>& told = trace.arrays().worst;
-    REQUIRE(told.size() > recorder.worst.size());
-    const std::size_t stage1 = told.size() - recorder.worst.size();
-    for (std::size_t e = 0; e < stage1; ++e) CHECK(std::isnan(told[e]));
-    CHECK(std::equal(recorder.worst.begin(), recorder.worst.end(),
-                     told.begin() + static_cast<std::ptrdiff_t>(stage1)));
-    CHECK(told.back() == static_cast<float>(report.largest_h));
-    CHECK(told.back() < told[stage1]);
+    const float first = check_worst(trace, recorder.worst), last = trace.arrays().worst.back();
+    CHECK(last == static_cast<float>(report.largest_h));
+    CHECK(last < first);
   }
 }
 
-TEST_CASE("what calls for an insertion of the paper's is what the trace says") {
+TEST_CASE("what calls for an insertion of the published program is what the trace says") {
+  paper::Options options;
+  options.lines = 8;
+  options.epsilon1 = 0.15;
+  options.epsilon2 = 0.5;
   std::map<Routine, int> asked;
+  std::map<std::uint8_t, int> reasons, outcomes;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14);
-    Options options = paper_way();
-    options.limits[Criterion::r_over_pole] = {0.5};
-    options.samples = 8;
-    const Traced run = traced(scene.volume, scene.surface.kappa(), options);
+    const Traced run = traced(scene, options);
     check_replay(run);
     const Trace& trace = run.trace;
     const TraceArrays& a = trace.arrays();
     CHECK(check_zones(trace) > 0);
-    const double size = length(scene.volume.box().size());
-    for (std::size_t e = 0; e < trace.size(); ++e) {
+    const Box3 box = scene.volume.box();
+    const double near = 1e-5 * length(box.size());
+    const auto is_near = [&](double x, double y) { return std::abs(x - y) < near; };
+    Complex complex;
+    for (std::size_t e = 0; e < trace.size(); replay(trace, e, complex), ++e) {
+      CAPTURE(e);
+      const Routine routine = routine_of(trace, e);
+      ++asked[routine];
+      ++outcomes[a.outcome[e]];
+      if (routine == Routine::init_triangulation || routine == Routine::build_tri_mesh) continue;
+      ++reasons[a.reason[e]];
       const auto hits = items<3>(a.hits, e);
       const auto star = triangles_of(a.star, e);
       const Triangle caller =
           triangle_of(a.caller[3 * e], a.caller[3 * e + 1], a.caller[3 * e + 2]);
-      const Routine routine = routine_of(trace, e);
-      ++asked[routine];
+      const Vec3 x{a.ball[4 * e], a.ball[4 * e + 1], a.ball[4 * e + 2]};
+      const double radius = a.ball[4 * e + 3];
+      if (routine != Routine::count_) {
+        // Hits are on the Voronoi edge, and x is one of them. Unless an edge of the curves is split
+        // in its place, it is the point.
+        const Vec3 from{a.edge[6 * e], a.edge[6 * e + 1], a.edge[6 * e + 2]},
+            to{a.edge[6 * e + 3], a.edge[6 * e + 4], a.edge[6 * e + 5]};
+        double furthest = 0;
+        bool has_x = false;
+        for (const auto& h : hits) {
+          const Vec3 hit{h[0], h[1], h[2]};
+          CHECK(is_near(distance(from, hit) + distance(hit, to), distance(from, to)));
+          furthest = std::max(furthest, distance(hit, trace.point(caller[0])));
+          has_x = has_x || hit == x;
+        }
+        CHECK(has_x);
+        CHECK(is_near(radius, distance(x, trace.point(caller[0]))));
+        if (routine != Routine::approximate_geom) CHECK(is_near(radius, furthest));
+      }
+      if (a.outcome[e] != trace_code(TraceOutcome::split)) {
+        const Vec3 place{a.place[3 * e], a.place[3 * e + 1], a.place[3 * e + 2]};
+        CHECK(place == x);
+      }
+      if (routine == Routine::extract_manifold) {
+        // The caller is q, and the star all of its facets.
+        Complex at_q, told;
+        for (const auto& facet : complex) {
+          if (has_corner(facet.first, caller[0])) at_q.insert(facet);
+        }
+        for (const Triangle& t : star) ++told[rotated(t)];
+        CHECK(told == at_q);
+        CHECK(a.value[e] == static_cast<float>(star.size()));
+        // Vertices on the curves are on the box, others inside.
+        const Vec3& q = trace.point(caller[0]);
+        bool on_curve = false;
+        for (int axis = 0; axis < 3; ++axis) {
+          on_curve = on_curve || q[axis] == box.lo[axis] || q[axis] == box.hi[axis];
+        }
+        CHECK(on_curve == (a.reason[e] == trace_code(PaperReason::no_half_disk)));
+        CHECK(on_curve != (a.reason[e] == trace_code(PaperReason::no_disk)));
+        if (!on_curve) CHECK(classify_star(caller[0], star) != Star::disk);
+        continue;
+      }
+      for (const VertexId v : caller) CHECK(is_near(radius, distance(x, trace.point(v))));
       if (routine == Routine::multi_intersect) {
         CHECK(hits.size() >= 2);
         CHECK(a.value[e] == static_cast<float>(hits.size()));
+        CHECK(a.reason[e] == trace_code(PaperReason::several_hits));
+        continue;
       }
-      if (routine == Routine::multi_intersect || routine == Routine::approximate_geom) {
-        // Each hit is as far from the facet's corners, as a Voronoi edge is.
-        for (const auto& h : hits) {
-          const Vec3 x{h[0], h[1], h[2]};
-          const double r = distance(x, trace.point(caller[0]));
-          CHECK(std::abs(distance(x, trace.point(caller[1])) - r) < 1e-5 * size);
-          CHECK(std::abs(distance(x, trace.point(caller[2])) - r) < 1e-5 * size);
-        }
+      // ApproximateGeom and RefineGeom: of a facet that is there, by its worst criterion.
+      CHECK(a.value[e] > 1);
+      const FacetShape shape =
+          measure(trace.point(caller[0]), trace.point(caller[1]), trace.point(caller[2]), x);
+      CHECK(shape.r > run.published.r_min);
+      const double h_over_r =
+          shape.h / shape.r / (routine == Routine::count_ ? options.epsilon1 : options.epsilon);
+      const double r_over_l = shape.r / shape.l / options.lambda;
+      const bool is_of_pole = a.reason[e] == trace_code(PaperReason::r_over_pole);
+      CHECK((a.reason[e] == trace_code(Criterion::h_over_r) ||
+             a.reason[e] == trace_code(Criterion::r_over_l) || is_of_pole));
+      const double worst = a.reason[e] == trace_code(Criterion::h_over_r) ? h_over_r : r_over_l;
+      // x is rounded.
+      if (!is_of_pole) CHECK(a.value[e] == doctest::Approx(worst).epsilon(1e-3));
+      CHECK(a.value[e] > std::max(h_over_r, r_over_l) - 1e-3);
+      if (routine == Routine::approximate_geom) {
+        CHECK(!is_of_pole);
+        CHECK(complex.count(rotated(caller)) + complex.count(rotated(mirrored(caller))) == 1);
+        continue;
       }
-      if (routine == Routine::approximate_geom) CHECK(a.value[e] > 1);
-      // Later events of the same cause, splits of boundary edges, tell no D_q again.
-      if (routine == Routine::extract_manifold && !star.empty()) {
-        const Star kind = classify_star(caller[0], star);
-        CHECK((kind == Star::singular) == (reason_of(trace, e) == Reason::star_singular));
-        if (kind == Star::disk) CHECK(reason_of(trace, e) == Reason::star_off_chain);
-        CHECK(a.value[e] == static_cast<float>(star.size()));
-      }
-      if (routine == Routine::count_ && reason_of(trace, e) == Reason::count_) {
-        CHECK(a.value[e] > 1);
-      }
+      // E has the caller, and D is the cone from the new vertex.
+      CHECK(complex.count(rotated(caller)) == 1);
+      const auto removed = triangles_of(a.removed, e), added = triangles_of(a.added, e);
+      const auto& disk = is_done(trace, e) ? removed : star;
+      CHECK(std::ranges::count(disk, rotated(caller), rotated) == 1);
+      for (const Triangle& t : disk) CHECK(complex.count(rotated(t)) == 1);
+      if (!is_done(trace, e)) continue;
+      CHECK(added.size() == removed.size() + 2);
+      for (const Triangle& t : added) CHECK(has_corner(t, VertexId(a.vertex[e])));
     }
   }
   for (const Routine routine :
-       {Routine::init_triangulation, Routine::protect_boundary, Routine::multi_intersect,
-        Routine::extract_manifold, Routine::approximate_geom, Routine::count_}) {
-    CAPTURE(name_of(routine == Routine::count_ ? Routine::build_tri_mesh : routine).name);
+       {Routine::init_triangulation, Routine::multi_intersect, Routine::extract_manifold,
+        Routine::approximate_geom, Routine::build_tri_mesh, Routine::count_}) {
+    CAPTURE(static_cast<int>(routine));
     CHECK(asked[routine] > 0);
   }
+  for (std::uint8_t n = 0; n < static_cast<std::uint8_t>(PaperReason::count_); ++n) {
+    CAPTURE(name_of(static_cast<PaperReason>(n)).name);
+    CHECK(reasons[trace_code(static_cast<PaperReason>(n))] > 0);
+  }
+  for (const TraceOutcome outcome : {TraceOutcome::done, TraceOutcome::split,
+                                     TraceOutcome::at_curve, TraceOutcome::not_a_disk}) {
+    CAPTURE(name_of(outcome).name);
+    CHECK(outcomes[trace_code(outcome)] > 0);
+  }
+}
+
+TEST_CASE("the worst distance of the published program's mesh after every event, by brute force") {
+  // Looks at all facets after each event.
+  struct AllFacets : PaperRecorder {
+    using PaperRecorder::PaperRecorder;
+    void mesh_ready(const paper::SurfaceMesh& t) override {
+      mesh = &t;
+      PaperRecorder::mesh_ready(t);
+      worst.push_back(largest());
+    }
+    void cone_added(VertexId v, std::span<const FaceId> d) override {
+      PaperRecorder::cone_added(v, d);
+      worst.push_back(largest());
+    }
+    void refused(paper::Refusal refusal) override {
+      PaperRecorder::refused(refusal);
+      if (mesh) worst.push_back(largest());
+    }
+    float largest() const {
+      return largest_distance(mesh->mesh, report.r_min, [&](FaceId f) {
+        const paper::SurfaceMesh::Dual& dual = mesh->duals[f];
+        return dual.on_sigma ? std::optional(dual.x) : std::nullopt;
+      });
+    }
+    const paper::SurfaceMesh* mesh = nullptr;
+    paper::Report report;
+    std::vector<float> worst;
+  };
+  const Scene scene = wave_scene(5, 10);
+  Trace trace(kNoLimit, false);
+  AllFacets recorder(trace);
+  paper::Options options{.r_min = 0.05, .observer = &recorder};
+  paper::deliso(scene.volume, scene.surface.kappa(), options, recorder.report);
+  CHECK(recorder.report.facets_without_point > 0);
+  check_worst(trace, recorder.worst);
 }
 
 TEST_CASE("labels replayed are those of the nearest site") {
@@ -324,7 +474,7 @@ TEST_CASE("labels replayed are those of the nearest site") {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14);
-    const Traced run = traced(scene.volume, scene.surface.kappa(), Options{});
+    const Traced run = traced(scene, Options{});
     check_replay(run);
     const Trace& trace = run.trace;
     const TraceArrays& a = trace.arrays();
@@ -354,12 +504,12 @@ TEST_CASE("labels replayed are those of the nearest site") {
 
 TEST_CASE("a limit keeps the first events, and counts the others") {
   const Scene scene = builtin_scene("fuel", 20);
-  for (const Options& options : {Options{}, paper_way()}) {
-    const Traced whole = traced(scene.volume, scene.surface.kappa(), options);
+  for_both_programs([&](const auto& options) {
+    const Traced whole = traced(scene, options);
     for (const std::size_t limit :
          {std::size_t{1}, std::size_t{40}, whole.trace.size() - 1, whole.trace.size()}) {
       CAPTURE(limit);
-      const Traced cut = traced(scene.volume, scene.surface.kappa(), options, limit);
+      const Traced cut = traced(scene, options, limit);
       CHECK(test::same_mesh(cut.mesh, whole.mesh));
       REQUIRE(cut.trace.size() == limit);
       CHECK(cut.trace.events_seen() == whole.trace.size());
@@ -376,28 +526,42 @@ TEST_CASE("a limit keeps the first events, and counts the others") {
       CHECK(begins(a.zone.values, b.zone.values));
       CHECK(begins(a.points, b.points));
     }
-  }
+  });
 }
 
 TEST_CASE("a traced run is the run without, and the same with any number of threads") {
   const Scene scene = builtin_scene("fuel", 32);
-  for (Options options : {Options{}, paper_way(), Options::paper()}) {
-    options.threads = 1;
-    Report report;
-    const TriMesh plain =
-        mesh_isosurface(scene.volume, scene.surface.kappa(), undivided(options), report);
-    const Traced one = traced(scene.volume, scene.surface.kappa(), options);
-    options.threads = 4;
-    const Traced four = traced(scene.volume, scene.surface.kappa(), options);
-    CHECK(test::same_mesh(one.mesh, plain));
-    CHECK(test::same_mesh(four.mesh, plain));
-    CHECK(one.report.counters == report.counters);
-    CHECK(one.report.searches_refine.searches == report.searches_refine.searches);
-    CHECK(one.trace.arrays().points == four.trace.arrays().points);
-    CHECK(one.trace.arrays().added.values == four.trace.arrays().added.values);
-    CHECK(one.trace.arrays().caller == four.trace.arrays().caller);
-    CHECK(one.trace.arrays().value.size() == four.trace.arrays().value.size());
-    CHECK(four.trace.arrays().micros == std::vector<std::uint32_t>(four.trace.size(), 0));
+  Options options, undivided;
+  options.threads = undivided.threads = 1;
+  undivided.block_side = 0;  // as a trace has it
+  Report report;
+  const TriMesh plain = mesh_isosurface(scene.volume, scene.surface.kappa(), undivided, report);
+  const Traced one = traced(scene, options);
+  options.threads = 4;
+  const Traced four = traced(scene, options);
+  CHECK(test::same_mesh(one.mesh, plain));
+  CHECK(test::same_mesh(four.mesh, plain));
+  CHECK(one.report.counters == report.counters);
+  CHECK(one.report.searches_refine.searches == report.searches_refine.searches);
+  CHECK(one.trace.arrays().points == four.trace.arrays().points);
+  CHECK(one.trace.arrays().added.values == four.trace.arrays().added.values);
+  CHECK(one.trace.arrays().caller == four.trace.arrays().caller);
+  CHECK(one.trace.arrays().value.size() == four.trace.arrays().value.size());
+  CHECK(four.trace.arrays().micros == std::vector<std::uint32_t>(four.trace.size(), 0));
+}
+
+TEST_CASE("a traced run of the published program is the run without") {
+  const Scene scene = wave_scene(5, 10);
+  for (const bool keep_hits : {false, true}) {
+    paper::Options options{.r_min = 0.05, .keep_hits = keep_hits};
+    paper::Report report;
+    const TriMesh plain = paper::deliso(scene.volume, scene.surface.kappa(), options, report);
+    const Traced run = traced(scene, options);
+    check_replay(run);
+    CHECK(test::same_mesh(run.mesh, plain));
+    CHECK(run.published.searches_recover.searches == report.searches_recover.searches);
+    CHECK(run.published.searches_refine.searches == report.searches_refine.searches);
+    CHECK(run.published.not_a_disk == report.not_a_disk);
   }
 }
 
@@ -465,7 +629,7 @@ TEST_CASE("an operation is tried for a reason of its own, at a facet or a vertex
   for (const char* name : {"gyroid", "noise", "fuel"}) {
     CAPTURE(name);
     const Scene scene = builtin_scene(name, 16);
-    const Traced run = traced(scene.volume, scene.surface.kappa(), Options{});
+    const Traced run = traced(scene, Options{});
     const TraceArrays& a = run.trace.arrays();
     Complex complex;
     for (std::size_t e = 0; e < run.trace.size(); replay(run.trace, e, complex), ++e) {
@@ -507,16 +671,16 @@ TEST_CASE("an operation is tried for a reason of its own, at a facet or a vertex
 
 TEST_CASE("searches and their voxels are counted event by event, each in its stage") {
   const Scene scene = builtin_scene("noise", 16);
-  for (const Options& options : {Options{}, paper_way()}) {
-    const Traced run = traced(scene.volume, scene.surface.kappa(), options);
+  for_both_programs([&](const auto& options) {
+    const Traced run = traced(scene, options);
     const TraceArrays& a = run.trace.arrays();
-    const Report& report = run.report;
-    REQUIRE(report.searches_recover.searches > 0);
+    SearchCounters in_recover = run.report.searches_recover, in_refine = run.report.searches_refine;
+    in_recover += run.published.searches_recover;
+    in_refine += run.published.searches_refine;
+    REQUIRE(in_recover.searches > 0);
     for (const auto& [so_far, recover, refine] :
-         {std::tuple(&a.searches, report.searches_recover.searches,
-                     report.searches_refine.searches),
-          std::tuple(&a.computations, report.searches_recover.computations,
-                     report.searches_refine.computations)}) {
+         {std::tuple(&a.searches, in_recover.searches, in_refine.searches),
+          std::tuple(&a.computations, in_recover.computations, in_refine.computations)}) {
       CHECK(std::ranges::is_sorted(*so_far));
       for (std::size_t e = 0; e < run.trace.size(); ++e) {
         if (routine_of(run.trace, e) == Routine::build_tri_mesh) CHECK((*so_far)[e] == recover);
@@ -525,7 +689,7 @@ TEST_CASE("searches and their voxels are counted event by event, each in its sta
       CHECK(so_far->back() <= recover + refine);
       CHECK(so_far->back() > recover + refine - refine / 20);
     }
-  }
+  });
 }
 
 TEST_CASE("every number of an event has a name") {
@@ -540,11 +704,23 @@ TEST_CASE("every number of an event has a name") {
     CHECK(!name.text.empty());
     names.insert(name.name);
   }
+  for (std::size_t n = 0; n < static_cast<std::size_t>(PaperReason::count_); ++n) {
+    const ReasonName name = name_of(static_cast<PaperReason>(n));
+    CHECK(!name.text.empty());
+    names.insert(name.name);
+  }
+  for (std::size_t n = 0; n < static_cast<std::size_t>(TraceOutcome::count_); ++n) {
+    const ReasonName name = name_of(static_cast<TraceOutcome>(n));
+    CHECK(!name.text.empty());
+    names.insert(name.name);
+  }
   for (std::size_t n = 0; n < kOperations; ++n) {
     const RoutineName name = routine_of(static_cast<Operation>(n));
     CHECK(!name.text.empty());
     names.insert(name.name);
   }
   CHECK(names.size() == static_cast<std::size_t>(Routine::count_) +
-                            static_cast<std::size_t>(Reason::count_) + kOperations);
+                            static_cast<std::size_t>(Reason::count_) +
+                            static_cast<std::size_t>(PaperReason::count_) +
+                            static_cast<std::size_t>(TraceOutcome::count_) + kOperations);
 }

@@ -13,10 +13,10 @@ function styled(rows, dark, light) {
 }
 
 const kOperations = {
-  ...styled([['init_triangulation', 'first points'], ['protect_boundary', 'protect boundary'],
-             ['multi_intersect', 'several hits'], ['extract_manifold', 'make disks'],
-             ['approximate_geom', 'rough shape'], ['certify', 'certify regions'],
-             ['find_protrusions', 'protrusions'], ['resolve_crossings', 'undo crossings'],
+  ...styled([['init_triangulation', 'first points'], ['multi_intersect', 'several hits'],
+             ['extract_manifold', 'make disks'], ['approximate_geom', 'rough shape'],
+             ['certify', 'certify regions'], ['find_protrusions', 'protrusions'],
+             ['resolve_crossings', 'undo crossings'],
              ['correct_reversed', 'correct reversed']], 0x2a5fb0, 0x9fd0f5),
   build_tri_mesh: { label: 'the switch', color: 0x7d7d7d, dash: 'solid' },
   ...styled([['surface_point', 'insert'], ['foot', 'insert nearby'],
@@ -27,8 +27,8 @@ const kOperations = {
 
 const kCriteria = {
   beginning: { label: 'beginning', color: 0x7d7d7d, dash: 'solid' },
-  ...styled(['several hits', 'no facet', 'half disk', 'no disk', 'off the box', 'encroached', 'region',
-             'interface', 'triple', 'boundary', 'protrusion', 'crossing', 'reversed']
+  ...styled(['several hits', 'no disk', 'no half disk', 'region', 'interface', 'triple', 'boundary',
+             'protrusion', 'crossing', 'reversed']
     .map((name) => [name, name]), 0x2a5fb0, 0x9fd0f5),
   ...styled([['h', 'distance h'], ['r/l', 'shape r/l'], ['h/r', 'h/r'], ['r/pole', 'r/pole'],
              ['r', 'size r'], ['not Delaunay', 'not Delaunay'],

@@ -52,7 +52,7 @@ class RunningNumbers {
   }
 }
 
-// The exact contour T, each vertex in the region of a site: certified Stage 1.
+// The exact contour T, each vertex in the region of a site: the exact program's Stage 1.
 class Regions {
   constructor(trace) {
     const { contour_points: points, contour_triangles: triangles, contour_label: label } = trace.arrays;

@@ -1,7 +1,7 @@
 'use strict';
 // A tour of a trace: eight stops, each at an event of this very trace.
 
-const kBroken = ['region', 'interface', 'triple', 'boundary', 'no disk', 'half disk', 'several hits'];
+const kBroken = ['region', 'interface', 'triple', 'boundary', 'no disk', 'no half disk', 'several hits'];
 
 const kInsertions = ['surface_point', 'foot', 'far_point'];
 
@@ -57,8 +57,9 @@ function tour_stops(trace) {
       `${sentence(trace.reason(e).text.split('; value: ')[0])} A new site is inserted to mend it.`, 'No region broke a condition in this trace.'),
     stop('A protrusion', protrusion, (e) =>
       `The mesh would miss this protrusion of the surface. A site is inserted ${rounded(value(e))} units ` +
-      'from the nearest one.', trace.header.way === 'paper' ? 'The paper\u2019s way does not look for protrusions; there is no stop here.'
-                                                            : 'No protrusion was missed in this trace.'),
+      'from the nearest one.', trace.header.program === 'published'
+        ? 'The published program does not look for protrusions; there is no stop here.'
+        : 'No protrusion was missed in this trace.'),
     stop('From Recover to Refine', trace.switch_at, () =>
       `The switch. ${topology_at_switch(trace.header)} The tetrahedra are left behind, and Refine gives the plain ` +
       'mesh of triangles its shape.', 'The trace ends before Refine begins.', true),

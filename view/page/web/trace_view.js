@@ -59,7 +59,7 @@ class TraceView {
     const { header } = this.trace;
     document.getElementById('title').textContent = (header.input ?? 'Trace').replace(/^.*\//, '');
     const parts = [`isovalue ${rounded(header.isovalue)}`,
-                   header.way === 'paper' ? 'the paper\u2019s way' : 'the certified way'];
+                   header.program === 'published' ? 'the published program' : 'the exact program'];
     if (header.truncated) {
       parts.push(`the first ${grouped(this.trace.count)} of ${grouped(header.events_seen)} events`);
     }
@@ -257,7 +257,7 @@ class TraceView {
     return true;
   }
 
-  // In the certified Stage 1 the regions on T are what is worked on; K's facets, which cut through T,
+  // In the exact program's Stage 1 the regions on T are what is worked on; K's facets, which cut through T,
   // are then their edges.
   arrange_surface() {
     const { regions, trace } = this;

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// What the recorders of both programs share. They fill a trace from outside, by what the stages
+// tell: vertices, cells and facets by the trace's own numbers, and the oracle's work so far.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "base/box3.h"
+#include "delaunay/triangulation.h"
+#include "isosurface/isosurface.h"
+#include "view/trace/trace.h"
+
+namespace deliso {
+
+class Recording {
+ protected:
+  // Of a facet of the mesh; none: its dual line misses Sigma.
+  using SurfacePoint = std::function<std::optional<Vec3>(FaceId)>;
+
+  // Keeps a reference, as do the next three.
+  explicit Recording(Trace& trace) : trace_(trace) {}
+  // The stages begin to count.
+  void run_begins(const SearchCounters& recover, const SearchCounters& refine, double r_min);
+  // Stage 1 has its first sites.
+  void sites_begin(const Triangulation& del, const Box3& domain);
+  // The switch.
+  void mesh_begins(const TriMesh& mesh, SurfacePoint x);
+
+  // All sites that are new; auxiliary ones have no number.
+  void number_sites();
+  // Returns kNoId for a site that has no number: an auxiliary one, or one that came after the trace
+  // was full. Every look-up goes through here, so that no caller need ask whether it is.
+  VertexId number(SiteId v) const { return v < numbers_.size() ? numbers_[v] : VertexId(kNoId); }
+  Triangle number(const SiteTriangle& v) const {
+    return {number(v[0]), number(v[1]), number(v[2])};
+  }
+  // p is inserted, and the cells of the zone are removed.
+  void tell_zone(const Vec3& p, const ConflictZone& zone);
+  // Of Del S at the end of Stage 1.
+  void tell_cells();
+
+  // Facets of the mesh went, others came: the trace gets the worst distance of those there.
+  void update_worst(std::span<const FaceId> gone, std::span<const FaceId> come);
+
+  // Ends the event.
+  void record(std::uint8_t outcome);
+  void record(TraceOutcome outcome) { record(trace_code(outcome)); }
+
+  Trace& trace_;
+
+ private:
+  bool is_told(CellId c) const;
+  void count_searches();
+
+  const SearchCounters *recover_ = nullptr, *refine_ = nullptr;
+  double r_min_ = 0;
+  const Triangulation* del_ = nullptr;
+  Box3 domain_;
+  std::vector<VertexId> numbers_;  // by site
+  const TriMesh* mesh_ = nullptr;
+  SurfacePoint surface_point_;
+  IdArray<FaceId, double> distance_;  // of each facet, as Report::largest_h; 0 up to r_min
+  std::multiset<double> distances_;   // of the live ones
+};
+
+}  // namespace deliso
