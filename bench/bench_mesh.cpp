@@ -146,7 +146,6 @@ int main(int argc, char** argv) try {
     area +=
         0.5 * length(area_normal(contour.points[t[0]], contour.points[t[1]], contour.points[t[2]]));
   }
-  const VoxelTree tree(volume);
   const Isosurface surface(volume, kappa);
   for (const std::size_t count : counts) {
     if (count < 1000) throw InputError("POINTS: at least 1000");

@@ -19,6 +19,7 @@
 #include "io/volume/read_volume.h"
 #include "isosurface/isosurface.h"
 #include "isosurface/voxel_ray.h"
+#include "kdtree/voxel_tree.h"
 
 using namespace deliso;
 

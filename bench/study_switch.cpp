@@ -75,9 +75,9 @@ int work(const BenchArguments& arguments) {
       const std::size_t points = r.points_initial() + r.insertions_recover;
       add(epsilon == kInfinity ? "no ApproximateGeom" : "epsilon " + fixed_cell(epsilon, 1),
           runs.mesh,
-          {r.kappa, r.r_min, r.seconds_total, points, r.insertions_refine,
+          {r.kappa, r.r_min, runs.total().median, points, r.insertions_refine,
            count_of(r.vertices_left)});
-      times.points.emplace_back(chart_epsilon(epsilon), r.seconds_total);
+      times.points.emplace_back(chart_epsilon(epsilon), runs.total().median);
       shares.points.emplace_back(
           chart_epsilon(epsilon),
           100 * static_cast<double>(points) / static_cast<double>(runs.mesh.points.size()));
@@ -85,7 +85,7 @@ int work(const BenchArguments& arguments) {
     const ExactRuns runs = run_once(opened, Options());
     const Report& r = runs.last();
     add("exact program", runs.mesh,
-        {r.kappa_effective, r.r_min, r.seconds_total, r.points_recovered, r.insertions_refine,
+        {r.kappa_effective, r.r_min, runs.total().median, r.points_recovered, r.insertions_refine,
          "-"});
     const double at_default = times.points[1].second;
     for (auto& [epsilon, seconds] : times.points) seconds /= at_default;

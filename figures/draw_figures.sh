@@ -184,7 +184,7 @@ if ! is_analogue ENGINE; then
   published_of ENGINE engine.ply
   panel_of ENGINE engine-exact.ply
   figure 06-engine-bolt ENGINE '--view 210,25 --zoom 8 --look-at 83,112,155' \
-    --size 900x400 --edges on <<'END'
+    --size 880x390 --edges on <<'END'
 
 Look, on the left, for triangles that shrink with the pole height, so towards the head and in its bore; on the right,
 for larger ones wherever they are within a tenth of a voxel of the surface.

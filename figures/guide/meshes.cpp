@@ -12,7 +12,6 @@
 #include "guide/handed.h"
 #include "io/files/append_format.h"
 #include "io/volume/builtin_volume.h"
-#include "kdtree/voxel_tree.h"
 #include "recover/certificate.h"
 #include "recover/labels.h"
 #include "stage1/first_sample.h"
@@ -79,7 +78,6 @@ void draw_certified(const std::string& folder) {
   const Volume volume = make_builtin_volume("builtin:torus:32");
   const double kappa = geometric_isovalue(volume.type(), 0);
   const ContourMesh contour = build_contour(volume, kappa);
-  const VoxelTree tree(volume);
   const Isosurface surface(volume, kappa);
   Options options;
   options.samples = 6;

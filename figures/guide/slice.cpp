@@ -21,7 +21,7 @@ Volume extruded(int columns, int rows, const std::function<double(double, double
 }  // namespace
 
 Slice::Slice(int columns, int rows, const std::function<double(double, double)>& f, int cells)
-    : volume_(extruded(columns, rows, f)), tree_(volume_), surface_(volume_, tree_, 0) {
+    : volume_(extruded(columns, rows, f)), tree_(volume_), surface_(volume_, 0) {
   const ContourMesh contour = build_contour(volume_, 0, {{}, {1, 1, 1}, {cells, cells, 1}});
   for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
     std::vector<Vec2> loop;

@@ -75,7 +75,6 @@ else
     told "$lines" 'Table 3: insertions' "$name" lines
     told_insertions 'Table 3: insertions' "$name"
     told_searches 'Table 4' "$name"
-    told "$vertices" 'Vertices of the meshes' "$name" two
     told "$triangles" 'Table 5' "$name" triangles
     told "$components" 'Table 5' "$name" components
     told "$euler" 'Table 5' "$name" 'Euler number'
