@@ -47,7 +47,7 @@ void add_costs(Table& table, const std::string& name, const OpenedDataset& opene
 
 void print_builtin_fields(const BenchArguments& arguments) {
   Table table("Built-in fields, as published",
-              {"field", "isovalue", "S_0", "n_RC", "n_RF", "vertices", "components", "Euler number",
+              {"field", "isovalue", "S₀", "n_RC", "n_RF", "vertices", "components", "Euler number",
                "CPI_RC", "CPI*_RC", "CPI_RF", "CPI*_RF"},
               1);
   for (const char* field : kBuiltinFields) {
@@ -71,7 +71,7 @@ void print_builtin_fields(const BenchArguments& arguments) {
 
 int work(const BenchArguments& arguments) {
   Table counts("Table 3: insertions, as published",
-               {"data set", "data", "lines", "S_0", "paper n_RC", "n_RC", "ratio", "paper n_RF",
+               {"data set", "data", "lines", "S₀", "paper n_RC", "n_RC", "ratio", "paper n_RF",
                 "n_RF", "ratio"},
                2);
   Table seconds("Table 3: seconds of an insertion, as published",
@@ -111,7 +111,7 @@ int work(const BenchArguments& arguments) {
     add_costs(costs, dataset.name, opened, arguments);
     for (const std::string& remark : opened.remarks) counts.remark(remark);
   }
-  counts.remark("n_RC, n_RF: points that Recover and Refine insert, beside those of S_0.");
+  counts.remark("n_RC, n_RF: points that Recover and Refine insert, beside those of S₀.");
   seconds.remark(
       "The seconds of the stage over n_RC and n_RF: Refine with BuildTriMesh, without "
       "ComputePoles, "

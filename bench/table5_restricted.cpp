@@ -45,7 +45,7 @@ std::vector<std::string> cells_of(const PublishedRuns& runs, const Volume& volum
 }
 
 int work(const BenchArguments& arguments) {
-  Table table("Table 5: is the mesh Del S_2|Sigma? As published",
+  Table table("Table 5: triangles that are restricted Delaunay, as published",
               {"data set", "stages", "data", "lines", "triangles", "not Delaunay", "not restricted",
                "restricted, %", "missing", "edges met twice", "components", "exact", "Euler number",
                "exact", "crossings"},

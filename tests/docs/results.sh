@@ -44,7 +44,7 @@ END
   seen=$((seen + 1))
 }
 told_insertions() {
-  told "$s_0" "$1" "$2" S_0
+  told "$s_0" "$1" "$2" S₀
   told "$n_rc" "$1" "$2" n_RC
   told "$n_rf" "$1" "$2" n_RF
 }
