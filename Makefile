@@ -38,11 +38,18 @@ all:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=OFF >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS)
 
-# Meshes a built-in field, and VOLUME at ISO when given.
+# Meshes a built-in field by the exact program and as published, and VOLUME at ISO when given. Of each
+# report it shows the mesh, the components found of the true number, and the seconds.
+SHOW_MESH = awk '/^mesh/ { mesh = substr($$0, 11); getline; n = true = $$1 } \
+  /^found/ { n = $$2; true = $$4 } /^exact  *[0-9]/ { true = $$2 } \
+  /^cost/ { printf "%-14s%s\n%-14s%s of %s components, %s seconds\n", name, mesh, "", n, true, $$2 }'
+SHOW_RUN = report=$$($(BUILD)/deliso $(1) -o '$(OUT)/$(2)') && echo "$$report" | $(SHOW_MESH) name='$(3)' -
 demo: all
-	$(BUILD)/deliso builtin:fuel --iso 70.1 -o $(OUT)/demo.ply
+	@$(call SHOW_RUN,builtin:fuel --iso 70.1,demo.ply,exact)
+	@$(call SHOW_RUN,builtin:fuel --iso 70.1 --paper,demo-paper.ply,as published)
 ifneq ($(VOLUME),)
-	$(BUILD)/deliso '$(VOLUME)' $(if $(ISO),--iso $(ISO)) -o $(OUT)/demo-volume.ply
+	@$(call SHOW_RUN,'$(VOLUME)' $(if $(ISO),--iso $(ISO)),demo-volume.ply,exact)
+	@$(call SHOW_RUN,'$(VOLUME)' $(if $(ISO),--iso $(ISO)) --paper,demo-volume-paper.ply,as published)
 endif
 
 # The quick tests: each room's, with a tenth of the random cases, and the commands of README.
@@ -67,7 +74,7 @@ room: doctest
 # docs/figures: the paper's figures, on the volumes in DATA; docs/guide/figures: the guide's, and
 # docs/index.html.
 figures:
-	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app list_datasets marching_cubes guide_figures lesson
 	@$(BUILD)/figures/guide/guide_figures docs/guide/figures
 	@$(BUILD)/deliso info builtin:machine --iso 127.5 -q --size 1140x600 -o docs/guide/figures/slices.png
@@ -80,7 +87,7 @@ site:
 
 # The micro-benchmarks, one primitive each; they need no data.
 bench:
-	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS)
 	@for source in bench/bench_*.cpp; do \
 	  name=$$(basename $$source .cpp); started=$$(date +%s); \
@@ -95,14 +102,14 @@ datasets:
 
 # docs/results.md and its plots: the paper's tables and the studies, on the volumes in DATA.
 tables:
-	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS)
 	@sh bench/write_results.sh $(BUILD) docs '$(DATA)'
 
 # What the meshes of the volumes in DATA and of built-in fields are worth, beside AGAINST: medians and
 # ranges over SEEDS. All runs go to BUILD/quality.tsv, which a later AGAINST may name when copied.
 quality:
-	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app quality
 	@$(BUILD)/bench/quality --program $(BUILD)/deliso $(if $(AGAINST),--against '$(AGAINST)') \
 	  --data '$(DATA)' --seeds $(SEEDS) --runs $(BUILD)/quality.tsv --markdown $(QUALITY)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What stands behind each data set's name here, for scripts: one line each of name, input and
-// isovalue for the deliso program, and what the data is, parted by tabs. Remarks, such as what is
-// missing, go to standard error.
+// isovalue for the deliso program, what the data is, and the lines for --paper, parted by tabs.
+// Remarks, such as what is missing, go to standard error.
 #include <cstdio>
 
 #include "base/text.h"
@@ -16,9 +16,10 @@ int work(const BenchArguments& arguments) {
     const OpenedDataset opened = open_dataset(dataset, arguments.data);
     const std::string input =
         opened.is_analogue ? dataset.analogue : arguments.data + "/" + dataset.file;
-    std::fputs(
-        text(dataset.name, "\t", input, "\t", opened.isovalue, "\t", opened.data, "\n").c_str(),
-        stdout);
+    std::fputs(text(dataset.name, "\t", input, "\t", opened.isovalue, "\t", opened.data, "\t",
+                    opened.lines, "\n")
+                   .c_str(),
+               stdout);
     for (const std::string& remark : opened.remarks) std::fputs((remark + "\n").c_str(), stderr);
   }
   return 0;

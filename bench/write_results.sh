@@ -24,7 +24,7 @@ run() {
     ${data:+--data "$data"} >"$work/$1.md"
 }
 for program in table2_speedup table3_insertion study_scaling study_switch \
-    study_counts table1_datasets table4_cpi; do
+    study_counts table1_datasets table4_cpi table5_restricted; do
   run $program
 done
 

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "io/volume/builtin_volume.h"
 #include "io/volume/read_volume.h"
+#include "paper/options.h"
 #include "support/sha256.h"
 
 namespace deliso {
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::string_view kHeader =
     "name\tfile\tdims\tfile_"
-    "dims\ttype\tspacing\tisovalue\tsha256\tanalogue\turl\tsource\t3d\tdeliso"
+    "dims\ttype\tspacing\tisovalue\tlines\tsha256\tanalogue\turl\tsource\t3d\tdeliso"
     "\tspeedup\tt_rc\tn_rc\tt_rf\tn_rf\tcpi_rc\tcpi*_rc\tcpi_rf\tcpi*_rf";
 
 std::vector<std::string> split(const std::string& line) {
@@ -88,6 +89,7 @@ std::vector<Dataset> read_datasets(const std::string& path) {
     d.type = row.text();
     d.spacing = row.text();
     d.isovalue = row.number();
+    d.lines = static_cast<std::size_t>(row.number());
     d.sha256 = row.text();
     d.analogue = row.text();
     d.url = row.text();
@@ -121,7 +123,8 @@ OpenedDataset open_dataset(const Dataset& dataset, const std::string& folder) {
     try {
       Volume volume = read_volume(folder + "/" + dataset.file);
       value_range(volume, dataset.file);
-      OpenedDataset opened{std::move(volume), dataset.isovalue, false, "paper's", {}};
+      OpenedDataset opened{
+          std::move(volume), dataset.isovalue, dataset.lines, false, "paper's", {}};
       if (opened.volume.dims() != dataset.dims) {
         opened.data = dims_text(opened.volume.dims());
         opened.remarks.push_back(text(dataset.name, " has ", opened.data,
@@ -140,14 +143,16 @@ OpenedDataset open_dataset(const Dataset& dataset, const std::string& folder) {
       if (at != std::string::npos) fault.erase(at, folder.size() + 1);
     }
   }
-  const BuiltinField* field = find_builtin_field(dataset.analogue);
-  if (field == nullptr) throw InputError(dataset.name + ": its analogue is no built-in field");
-  return {read_volume(dataset.analogue),
-          field->isovalue,
-          true,
-          dataset.analogue,
-          {text(dataset.name, " is not at hand (", fault, "): ", dataset.analogue, " at ",
-                field->isovalue, " stands in for it.")}};
+  OpenedDataset opened = open_builtin(dataset.analogue);
+  opened.remarks.push_back(text(dataset.name, " is not at hand (", fault, "): ", dataset.analogue,
+                                " at ", opened.isovalue, " stands in for it."));
+  return opened;
+}
+
+OpenedDataset open_builtin(const std::string& input) {
+  const BuiltinField* field = find_builtin_field(input);
+  if (field == nullptr) throw InputError(input + ": no built-in field");
+  return {read_volume(input), field->isovalue, paper::Options().lines, true, input, {}};
 }
 
 }  // namespace deliso

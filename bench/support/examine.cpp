@@ -6,16 +6,14 @@
 #include <vector>
 
 #include "isosurface/isosurface.h"
-#include "kdtree/voxel_tree.h"
 #include "mesh/check_mesh.h"
 #include "surface/criteria.h"
 #include "surface/surface_point.h"
 
 namespace deliso {
 
-Examined examine(const TriMesh& mesh, const OpenedDataset& opened, double kappa,
-                 const ContourSummary& exact, double lambda, double epsilon1, double r_min) {
-  const VoxelTree tree(opened.volume);
+Examined examine(const TriMesh& mesh, const OpenedDataset& opened, const ContourSummary& exact,
+                 double kappa, double lambda, double epsilon1, double r_min) {
   const Isosurface surface(opened.volume, kappa);
   SurfacePointFinder finder(surface);
   SearchCounters counters;

@@ -23,8 +23,8 @@ struct Examined {
 
 // `mesh` is one of `opened` at the isovalue kappa. h is that of facets' surface points, and r where
 // there is none.
-Examined examine(const TriMesh& mesh, const OpenedDataset& opened, double kappa,
-                 const ContourSummary& exact, double lambda, double epsilon1, double r_min);
+Examined examine(const TriMesh& mesh, const OpenedDataset& opened, const ContourSummary& exact,
+                 double kappa, double lambda, double epsilon1, double r_min);
 
 ContourSummary exact_topology(const OpenedDataset& opened);
 

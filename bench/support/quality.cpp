@@ -67,7 +67,6 @@ Measured measure(const TriMesh& mesh, const Volume& volume, double isovalue, con
   asked.threads = threads;
   asked.limits = resolve(options, volume).refinement;
   asked.limits.shape_floor = 0;
-  asked.limits[Criterion::r_over_pole] = kNotAsked;  // the check knows no poles
   const Verification v = verify(mesh, volume, geometric_isovalue(volume.type(), isovalue), asked);
 
   const double voxel = volume.voxel();

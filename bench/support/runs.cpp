@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
 #include <string_view>
 #include <utility>
@@ -19,9 +20,8 @@ constexpr double kLongRun = 1;
 constexpr const char* kOptions =
     "  --data FOLDER    where the volumes are (NAME.nhdr; default: $DELISO_DATA)\n"
     "  --only A,B       these data sets only, by name\n"
-    "  --repeat N       measure N times after a warm-up (default 3)\n"
+    "  --repeat N       measure N times after a warm-up (default 9)\n"
     "  --budget S       but no longer than S seconds per figure, once at least (default 8)\n"
-    "  --solver NAME    isolation (default) or schwarze, the paper's\n"
     "  --figures FOLDER where plots go, as SVG (default: none)\n"
     "  --markdown, --csv  instead of aligned text\n"
     "  --manifest FILE  the list of data sets\n";
@@ -48,6 +48,36 @@ double positive(std::string_view option, const std::string& value) {
     throw InputError(std::string(option) + " " + value + ": not a positive number");
   }
   return number;
+}
+
+template <class R, class Run>
+Runs<R> run_in_time(Run&& run) {
+  Runs<R> runs;
+  runs.reports.emplace_back();
+  const std::clock_t start = std::clock();
+  runs.mesh = run(runs.reports.back());
+  runs.seconds.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  return runs;
+}
+
+template <class R, class O>
+Runs<R> measure(const OpenedDataset& opened, const O& options, const BenchArguments& arguments) {
+  Runs<R> runs = run_once(opened, options);
+  double spent = runs.seconds[0];
+  const double first = spent;
+  if (first < kLongRun) {
+    runs.reports.clear();
+    runs.seconds.clear();
+  }
+  while (runs.reports.size() < arguments.repeat &&
+         (runs.reports.empty() || spent + first <= arguments.budget)) {
+    Runs<R> next = run_once(opened, options);
+    spent += next.seconds[0];
+    runs.reports.push_back(next.last());
+    runs.seconds.push_back(next.seconds[0]);
+    runs.mesh = std::move(next.mesh);
+  }
+  return runs;
 }
 
 }  // namespace
@@ -80,8 +110,6 @@ BenchArguments parse_bench_arguments(int argc, char** argv, const char* purpose)
       arguments.figures = value;
     } else if (option == "--manifest") {
       manifest = value;
-    } else if (option == "--solver" && (value == "isolation" || value == "schwarze")) {
-      arguments.cubic = value == "schwarze" ? CubicMethod::schwarze : CubicMethod::isolation;
     } else {
       throw InputError(option + " " + value + ": unknown");
     }
@@ -99,58 +127,53 @@ int run_bench(int argc, char** argv, const char* purpose, int (*work)(const Benc
   }
 }
 
-Runs run_once(const OpenedDataset& opened, const Options& options) {
+PublishedRuns run_once(const OpenedDataset& opened, const paper::Options& options) {
+  return run_in_time<paper::Report>([&](paper::Report& report) {
+    return paper::deliso(opened.volume, opened.isovalue, options, report);
+  });
+}
+
+ExactRuns run_once(const OpenedDataset& opened, const Options& options) {
   Options one_thread = options;
   one_thread.threads = 1;
-  Runs runs;
-  runs.reports.emplace_back();
-  runs.mesh = mesh_isosurface(opened.volume, opened.isovalue, one_thread, runs.reports.back());
-  return runs;
+  return run_in_time<Report>([&](Report& report) {
+    return mesh_isosurface(opened.volume, opened.isovalue, one_thread, report);
+  });
 }
 
-Runs measure_runs(const OpenedDataset& opened, const Options& options,
-                  const BenchArguments& arguments) {
-  Runs runs = run_once(opened, options);
-  double spent = runs.last().seconds_total;
-  const double first = spent;
-  std::vector<Report> measured;
-  if (first >= kLongRun) measured = std::move(runs.reports);
-  while (measured.size() < arguments.repeat &&
-         (measured.empty() || spent + first <= arguments.budget)) {
-    Runs next = run_once(opened, options);
-    spent += next.last().seconds_total;
-    measured.push_back(next.last());
-    runs.mesh = std::move(next.mesh);
-  }
-  runs.reports = std::move(measured);
-  return runs;
+PublishedRuns measure_runs(const OpenedDataset& opened, const paper::Options& options,
+                           const BenchArguments& arguments) {
+  return measure<paper::Report>(opened, options, arguments);
 }
 
-Options paper_options(const BenchArguments& arguments) {
-  Options options = Options::paper();
-  options.cubic = arguments.cubic;
+ExactRuns measure_runs(const OpenedDataset& opened, const Options& options,
+                       const BenchArguments& arguments) {
+  return measure<Report>(opened, options, arguments);
+}
+
+paper::Options published_options(const OpenedDataset& opened) {
+  paper::Options options;
+  options.lines = opened.lines;
   return options;
 }
 
-Options certified_options(const BenchArguments& arguments) {
-  Options options = paper_options(arguments);
-  options.recover = RecoverWay::certified;
-  return options;
+double seconds_per_recover_insertion(const paper::Report& report) {
+  return report.seconds_recover / static_cast<double>(report.insertions_recover);
 }
 
-Options default_options(const BenchArguments& arguments) {
-  Options options;
-  options.cubic = arguments.cubic;
-  return options;
-}
-
-double seconds_per_recover_insertion(const Report& report) {
-  return report.seconds_recover /
-         static_cast<double>(report.points_recovered - report.points_initial);
-}
-
-double seconds_per_refine_insertion(const Report& report) {
+double seconds_per_refine_insertion(const paper::Report& report) {
   return report.seconds_refine / static_cast<double>(report.insertions_refine);
+}
+
+std::array<double, 4> computations_per_search(const paper::Report& report) {
+  const auto quotient = [](std::uint64_t computations, std::uint64_t searches) {
+    return static_cast<double>(computations) / static_cast<double>(searches);
+  };
+  const SearchCounters &rc = report.searches_recover, &rf = report.searches_refine;
+  return {quotient(rc.computations, rc.searches),
+          quotient(rc.computations_with_hit, rc.searches_with_hit),
+          quotient(rf.computations, rf.searches),
+          quotient(rf.computations_with_hit, rf.searches_with_hit)};
 }
 
 std::string spread_cell(const Statistic& statistic) {

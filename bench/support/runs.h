@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What the table and study programs share: their arguments, and meshing with the clock running.
+// What the table and study programs share: their arguments, and meshing with the clock running, by
+// the published program (paper::deliso) and by the exact one (mesh_isosurface).
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "deliso/deliso.h"
+#include "paper/deliso.h"
 #include "support/datasets.h"
 #include "support/statistics.h"
 #include "support/table.h"
@@ -16,9 +19,8 @@ struct BenchArguments {
   std::string data;               // folder of volumes; empty: none
   std::vector<Dataset> datasets;  // those asked for, all by default
   TableFormat format = TableFormat::text;
-  std::size_t repeat = 3;
-  double budget = 8;  // seconds, of all runs of one measurement
-  CubicMethod cubic = CubicMethod::isolation;
+  std::size_t repeat = 9;
+  double budget = 8;    // seconds, of all runs of one measurement
   std::string figures;  // folder for plots; empty: none are written
 };
 
@@ -28,41 +30,53 @@ BenchArguments parse_bench_arguments(int argc, char** argv, const char* purpose)
 // Runs the program's work; InputErrors become one line on standard error and exit status 2.
 int run_bench(int argc, char** argv, const char* purpose, int (*work)(const BenchArguments&));
 
-// Every run of one measurement, of the same bytes each.
+// Every run of one measurement, of the same bytes each. R: the report of the program that ran.
+template <class R>
 struct Runs {
-  std::vector<Report> reports;  // without the warm-up
-  TriMesh mesh;                 // of the last one
+  std::vector<R> reports;  // without the warm-up
+  // Seconds that the processor spent on each run: other work on the machine does not count.
+  std::vector<double> seconds;
+  TriMesh mesh;  // of the last one
 
-  const Report& last() const { return reports.back(); }
-  // Of a step, or of anything computed from a report.
+  const R& last() const { return reports.back(); }
+  // Of a step by the wall clock, or of anything computed from a report.
   template <class F>
-  Statistic of(F seconds) const {
+  Statistic of(F value) const {
     std::vector<double> values;
-    for (const Report& report : reports) values.push_back(seconds(report));
+    for (const R& report : reports) values.push_back(value(report));
     return statistic(std::move(values));
   }
-  Statistic total() const {
-    return of([](const Report& r) { return r.seconds_total; });
-  }
+  Statistic total() const { return statistic(seconds); }
 };
+using PublishedRuns = Runs<paper::Report>;
+using ExactRuns = Runs<Report>;
 
 // Meshes once to warm up and then up to arguments.repeat times, while arguments.budget lasts. A
 // first run of a second and more counts as well: what it warms up no longer shows.
-Runs measure_runs(const OpenedDataset& opened, const Options& options,
-                  const BenchArguments& arguments);
+PublishedRuns measure_runs(const OpenedDataset& opened, const paper::Options& options,
+                           const BenchArguments& arguments);
+ExactRuns measure_runs(const OpenedDataset& opened, const Options& options,
+                       const BenchArguments& arguments);
 
 // One run, as every measurement in one thread.
-Runs run_once(const OpenedDataset& opened, const Options& options);
+PublishedRuns run_once(const OpenedDataset& opened, const paper::Options& options);
+ExactRuns run_once(const OpenedDataset& opened, const Options& options);
 
-// Everything as published; the same criteria with the certified way through Recover; and what a run
-// without options does.
-Options paper_options(const BenchArguments& arguments);
-Options certified_options(const BenchArguments& arguments);
-Options default_options(const BenchArguments& arguments);
+// Everything as published, with the data set's number of lines.
+paper::Options published_options(const OpenedDataset& opened);
 
 // Seconds per point inserted by Recover and by Refine (Table 3).
-double seconds_per_recover_insertion(const Report& report);
-double seconds_per_refine_insertion(const Report& report);
+double seconds_per_recover_insertion(const paper::Report& report);
+double seconds_per_refine_insertion(const paper::Report& report);
+
+// CPI_RC, CPI*_RC, CPI_RF, CPI*_RF (Table 4).
+std::array<double, 4> computations_per_search(const paper::Report& report);
+
+// A count as a cell.
+template <class Count>
+std::string count_of(Count n) {
+  return count_cell(static_cast<double>(n));
+}
 
 // 4%; "one run" where there is nothing to spread.
 std::string spread_cell(const Statistic& statistic);

@@ -50,7 +50,10 @@ TEST_CASE("the list of data sets agrees with what the paper says of its own figu
     CHECK(p.cpi_hit_recover > p.cpi_recover);
     CHECK(p.cpi_hit_refine > p.cpi_refine);
     CHECK((d.sha256 == "-" || d.sha256.size() == 64));
-    CHECK(open_dataset(d, "").is_analogue);
+    CHECK((d.lines == 50 || d.lines == 500 || d.lines == 5000));  // D3
+    const OpenedDataset analogue = open_dataset(d, "");
+    CHECK(analogue.is_analogue);
+    CHECK(analogue.lines == 50);
   }
 }
 
@@ -91,10 +94,13 @@ TEST_CASE("a volume that is there is taken, and what is not as in the paper is s
   CHECK(opened.data == "2x3x4?");
   CHECK(opened.remarks.size() == 2);
   CHECK(opened.isovalue == d.isovalue);
+  CHECK(opened.lines == d.lines);
   d.dims = {2, 3, 4};
+  d.lines = 500;
   d.sha256 = sha256_of_samples(opened.volume);
   opened = open_dataset(d, directory);
   CHECK(opened.data == "paper's");
+  CHECK(opened.lines == 500);
   CHECK(opened.remarks.empty());
 
   // The folder is not told to the world.

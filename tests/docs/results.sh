@@ -1,54 +1,85 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The counts in Tables 2 to 4 and in "How early" of docs/results.md are those of this program, for the volumes at hand: counts
-# are the same on any machine. After a change `make tables DATA=folder` makes the page anew.
-# Usage: results.sh SOURCE PROGRAM, with DELISO_DATA=folder of volumes
+# The counts in Tables 2 to 5 of docs/results.md, and in its table of built-in fields, are those of this
+# program: counts are the same on any machine. After a change `make tables DATA=folder` makes the page
+# anew.
+# Usage: results.sh builtin|volumes SOURCE PROGRAM
+#   volumes: those in DELISO_DATA; 77 without that
 set -eu
-source=$1
-deliso=$2
-[ -n "${DELISO_DATA:-}" ] || exit 77
+which=$1
+source=$2
+deliso=$3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# cell TABLE VOLUME COLUMN: of the table under the title that begins so.
+# cell TABLE ROW COLUMN: of the table under the title that begins so; columns that have one name are
+# told apart by a number, as in "ratio 2".
 cell() {
-  awk -F'|' -v title="$1" -v volume="$2" -v column="$3" '
-    index($0, "**" title) == 1 { inside = 1; next }
+  awk -F ' *[|] *' -v title="**$1" -v row="$2" -v column="$3" '
+    index($0, title) == 1 { inside = 1; next }
     inside && /^[#*]/ { exit }
-    inside { name = $2; gsub(/ /, "", name)
-             if (name == volume) { value = $(column + 1); gsub(/[ ,]/, "", value); print value; exit } }
+    inside && /^[|]/ && !header { header = 1
+      for (n = 2; n < NF; n++) { name = $n; if (++seen[name] > 1) name = name " " seen[$n]; at[name] = n }
+      next }
+    inside && $2 == row { value = $(at[column]); gsub(/,/, "", value); print value; exit }
   ' "$source/docs/results.md"
 }
 
 faults=0
 seen=0
-# told WHAT VALUE TABLE VOLUME COLUMN
+# told VALUE TABLE ROW COLUMN
 told() {
-  stands=$(cell "$3" "$4" "$5")
-  [ "$2" = "$stands" ] || { echo "docs/results.md: $4: $1 is $2, the page has '$stands'"; faults=1; }
+  stands=$(cell "$2" "$3" "$4")
+  [ "$1" = "$stands" ] || { echo "docs/results.md: $3: $4 is $1, '$2' has '$stands'"; faults=1; }
 }
-grep -v '^#' "$source/bench/datasets.tsv" | tail -n +2 | cut -f 1,2,7 >"$work/volumes"
-while read -r name file isovalue; do
-  [ -f "$DELISO_DATA/$file" ] || continue
-  [ -n "$(cell 'Table 3' "$name" 1)" ] || continue
-  seen=$((seen + 1))
-  "$deliso" "$DELISO_DATA/$file" --iso "$isovalue" --paper --verbose -o "$work/mesh.ply" | tr -d , >"$work/told"
+
+# run INPUT ISOVALUE LINES: sets the counts of a run.
+run() {
+  "$deliso" "$1" --iso "$2" --paper --lines "$3" --verbose -o "$work/mesh.ply" | tr -d , >"$work/told"
   # stage seconds points us/point searches/p CPI CPI*
-  read -r n_rc cpi_rc cpi_rc_hit n_rf cpi_rf cpi_rf_hit vertices components euler <<END
-$(awk '$1 == "initial" { initial = $3 } $1 == "recover" { printf "%d %s %s ", initial + $3, $6, $7 }
-       $1 == "refine" { printf "%s %s %s ", $3, $6, $7 } $1 == "mesh" { printf "%s ", $2; getline; print $1, $5 }' "$work/told")
+  read -r s_0 n_rc cpi_rc cpi_rc_hit n_rf cpi_rf cpi_rf_hit vertices triangles components euler <<END
+$(awk '$1 == "initial" { printf "%s ", $3 } $1 == "recover" || $1 == "refine" { printf "%s %s %s ", $3, $6, $7 }
+       $1 == "mesh" { printf "%s %s ", $2, $4; getline; print $1, $5 }' "$work/told")
 END
-  told n_RC "$n_rc" 'Table 3' "$name" 5
-  told n_RF "$n_rf" 'Table 3' "$name" 9
-  told vertices "$vertices" 'Table 2' "$name" 11
-  told components "$components" 'How early' "$name" 3
-  told 'the Euler number' "$euler" 'How early' "$name" 5
-  told vertices "$vertices" 'How early' "$name" 7
-  told CPI_RC "$cpi_rc" 'Table 4' "$name" 3
-  told 'CPI*_RC' "$cpi_rc_hit" 'Table 4' "$name" 5
-  told CPI_RF "$cpi_rf" 'Table 4' "$name" 7
-  told 'CPI*_RF' "$cpi_rf_hit" 'Table 4' "$name" 9
-done <"$work/volumes"
-echo "$seen volumes"
+  seen=$((seen + 1))
+}
+told_insertions() {
+  told "$s_0" "$1" "$2" S₀
+  told "$n_rc" "$1" "$2" n_RC
+  told "$n_rf" "$1" "$2" n_RF
+}
+told_searches() {
+  told "$cpi_rc" "$1" "$2" CPI_RC
+  told "$cpi_rc_hit" "$1" "$2" 'CPI*_RC'
+  told "$cpi_rf" "$1" "$2" CPI_RF
+  told "$cpi_rf_hit" "$1" "$2" 'CPI*_RF'
+}
+
+if [ "$which" = builtin ]; then
+  fields='Built-in fields'
+  for field in builtin:fuel:64 builtin:orbital:64; do
+    run "$field" "$(cell "$fields" "$field" isovalue)" 50
+    told_insertions "$fields" "$field"
+    told_searches "$fields" "$field"
+    told "$vertices" "$fields" "$field" vertices
+    told "$components" "$fields" "$field" components
+    told "$euler" "$fields" "$field" 'Euler number'
+  done
+else
+  [ -n "${DELISO_DATA:-}" ] || exit 77
+  grep -v '^#' "$source/bench/datasets.tsv" | tail -n +2 | cut -f 1,2,7,8 >"$work/volumes"
+  while read -r name file isovalue lines; do
+    [ -f "$DELISO_DATA/$file" ] || continue
+    [ -n "$(cell 'Table 3: insertions' "$name" n_RC)" ] || continue
+    run "$DELISO_DATA/$file" "$isovalue" "$lines"
+    told "$lines" 'Table 3: insertions' "$name" lines
+    told_insertions 'Table 3: insertions' "$name"
+    told_searches 'Table 4' "$name"
+    told "$triangles" 'Table 5' "$name" triangles
+    told "$components" 'Table 5' "$name" components
+    told "$euler" 'Table 5' "$name" 'Euler number'
+  done <"$work/volumes"
+fi
+echo "$seen compared"
 [ "$seen" -gt 0 ] || faults=1
 exit "$faults"
