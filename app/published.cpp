@@ -23,6 +23,8 @@ constexpr PaperCount kPaperCounts[] = {
     {&paper::Report::curve_refusals, "curve_refusals",
      "insertions refused beside an edge of the boundary curves"},
     {&paper::Report::not_a_disk, "not_a_disk", "insertions of Refine refused: E is no disk"},
+    {&paper::Report::too_near, "too_near",
+     "insertions of Refine refused: a vertex is nearer than r_min / 4"},
     {&paper::Report::facets_left, "facets_left",
      "Voronoi edges that meet the surface several times when Recover ends"},
     {&paper::Report::vertices_left, "vertices_left",

@@ -14,6 +14,10 @@
 namespace deliso::paper {
 namespace {
 
+// In r_min: a point nearer to a vertex of E, or of a facet beside it, is not inserted. Two facets
+// at one edge can have each other's corner for their x, in turn.
+constexpr double kNearRMins = 0.25;
+
 class Refinement {
  public:
   Refinement(SurfaceMesh& t, const Sigma& sigma, const Options& options, Report& report)
@@ -78,11 +82,16 @@ std::optional<Refusal> Refinement::insert(FaceId sigma, const Vec3& p) {
   disk_.facets.clear();
   for (const FaceId f : e_) disk_.facets.push_back(mesh_.faces[f].v);
   if (!disk_.link() || disk_.inner_vertices() > 0) return Refusal::not_a_disk;
+  const auto is_near = [&](VertexId v) {
+    return distance(p, mesh_.points[v]) < kNearRMins * report_.r_min;
+  };
   for (const Disk::BoundaryEdge& edge : disk_.boundary) {
-    const bool is_on_box =
-        mesh_.faces[e_[edge.facet]].n[static_cast<std::size_t>(edge.side)] == kNoId;
+    const FaceId g = mesh_.faces[e_[edge.facet]].n[static_cast<std::size_t>(edge.side)];
     const Vec3 &a = mesh_.points[edge.from], &b = mesh_.points[edge.to];
-    if (is_on_box && dot(a - p, b - p) < 0) return Refusal::at_curve;
+    if (g == kNoId && dot(a - p, b - p) < 0) return Refusal::at_curve;
+    if (is_near(edge.from) || (g != kNoId && std::ranges::any_of(mesh_.faces[g].v, is_near))) {
+      return Refusal::vertex_there;
+    }
   }
   put_cone(p);
   return std::nullopt;
@@ -139,7 +148,9 @@ void Refinement::refine_geom() {
     const Vec3 x = t_.duals[sigma].x;
     const std::optional<Refusal> refusal = insert(sigma, x);
     if (refusal) {
-      ++(*refusal == Refusal::not_a_disk ? report_.not_a_disk : report_.curve_refusals);
+      ++(*refusal == Refusal::not_a_disk     ? report_.not_a_disk
+         : *refusal == Refusal::vertex_there ? report_.too_near
+                                             : report_.curve_refusals);
       if (options_.observer) options_.observer->refused(*refusal);
     } else {
       require_few(mesh_.points.size(), options_);
@@ -150,10 +161,6 @@ void Refinement::refine_geom() {
     report_.facets_unrefined += violation(f).value > 1;
   }
 }
-
-}  // namespace
-
-namespace {
 
 // Reverses facets that are turned against most of their neighbors, of those that may be.
 void turn_as_neighbors(std::vector<Triangle>& facets, const std::vector<std::uint8_t>& may,

@@ -5,8 +5,8 @@
 // the ball around x through the corners holds p. The facets that p encroaches upon, E, are found by
 // a walk, and the cone D from p over E's boundary takes their place.
 //
-// Where E is no disk without inner vertices, or p lies in the diametral ball of a boundary edge,
-// the insertion is refused and counted.
+// Where E is no disk without inner vertices, p lies in the diametral ball of a boundary edge, or a
+// vertex of E or beside it is nearer than r_min / 4, the insertion is refused and counted.
 #pragma once
 
 #include <vector>

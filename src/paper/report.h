@@ -23,6 +23,7 @@ struct Report {
   std::size_t curve_splits = 0;     // edges of the boundary curves split in place of an insertion
   std::size_t curve_refusals = 0;   // insertions refused for such an edge
   std::size_t not_a_disk = 0;       // insertions refused since E is no disk
+  std::size_t too_near = 0;         // and since a vertex is nearer than r_min / 4
   // Left when Recover ends: Voronoi edges with several hits, vertices whose D_q is no disk, and
   // vertices without a facet, which the mesh does not have.
   std::size_t facets_left = 0, vertices_left = 0, vertices_alone = 0;
