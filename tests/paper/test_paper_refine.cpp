@@ -58,7 +58,8 @@ class RefineWatch : public paper::Observer {
   explicit RefineWatch(const Program& program)
       : program_(program), surface_(program.volume, program.sigma.kappa()) {}
 
-  std::size_t asked = 0, cones = 0, not_a_disk = 0, at_curve = 0, larger = 0, by_poles = 0;
+  std::size_t asked = 0, cones = 0, not_a_disk = 0, at_curve = 0, near = 0, larger = 0,
+              by_poles = 0;
   std::set<FaceId> refused_facets;
 
   void begin(const SurfaceMesh& t) {
@@ -111,6 +112,8 @@ class RefineWatch : public paper::Observer {
     larger += e_.size() > 4;
     CHECK(is_plain_disk_);
     CHECK(!is_beside_box(t_->mesh.points[v]));
+    // D is in place: nothing but the new vertex itself may be near.
+    CHECK(!is_beside_vertex(t_->mesh.points[v]));
     std::map<Side, FaceId> left = rim_;
     const std::set<FaceId> cone(d.begin(), d.end());
     CHECK(cone.size() == rim_.size());
@@ -144,11 +147,13 @@ class RefineWatch : public paper::Observer {
   void refused(Refusal why) override {
     if (why == Refusal::not_a_disk) {
       CHECK(!is_plain_disk_);
+    } else if (why == Refusal::vertex_there) {
+      CHECK(is_beside_vertex(t_->duals[asked_].x));
     } else {
       CHECK(why == Refusal::at_curve);
       CHECK(is_beside_box(t_->duals[asked_].x));
     }
-    ++(why == Refusal::not_a_disk ? not_a_disk : at_curve);
+    ++(why == Refusal::not_a_disk ? not_a_disk : why == Refusal::at_curve ? at_curve : near);
     refused_facets.insert(asked_);
   }
 
@@ -173,6 +178,17 @@ class RefineWatch : public paper::Observer {
     }
   }
   // True if p is in the diametral ball of a side of E on the box.
+  // A vertex of E, or of a facet beside it, is nearer than r_min / 4.
+  bool is_beside_vertex(const Vec3& p) const {
+    const auto is_near = [&](VertexId v) {
+      return distance(p, t_->mesh.points[v]) < 0.25 * program_.report.r_min;
+    };
+    return std::ranges::any_of(rim_, [&](const auto& side_and_outside) {
+      const auto& [side, outside] = side_and_outside;
+      return is_near(side.first) ||
+             (outside != kNoId && std::ranges::any_of(t_->mesh.faces[outside].v, is_near));
+    });
+  }
   bool is_beside_box(const Vec3& p) const {
     return std::ranges::any_of(rim_, [&](const auto& entry) {
       const Vec3 &a = t_->mesh.points[entry.first.first], &b = t_->mesh.points[entry.first.second];
@@ -264,16 +280,18 @@ TEST_CASE("RefineGeom: E by a walk, D the cone, until no facet violates a criter
   struct Case {
     std::string name;
     Field field;
-    double r_min;
+    double r_min, epsilon;
   };
-  const Case cases[] = {{"torus", builtin("torus", 32), 0.001},
-                        {"gyroid", builtin("gyroid", 16), 0.05},
-                        {"noise", noise(4, 9), 0.03}};
-  std::size_t asked = 0, at_curve = 0, not_a_disk = 0, larger = 0;
+  const Case cases[] = {{"torus", builtin("torus", 32), 0.001, 0.2},
+                        {"gyroid", builtin("gyroid", 16), 0.05, 0.2},
+                        {"noise", noise(4, 9), 0.03, 0.2},
+                        {"noise, switched early", noise(4, 9), 0.03, 1e9}};
+  std::size_t asked = 0, at_curve = 0, not_a_disk = 0, near = 0, larger = 0;
   for (const Case& of : cases) {
     CAPTURE(of.name);
     paper::Options options = few_vertices();
     options.r_min = of.r_min;
+    options.epsilon = of.epsilon;
     Begun begun(of.field, options);
     RefineWatch watch(begun.program);
     watch.begin(begun.t);
@@ -284,8 +302,9 @@ TEST_CASE("RefineGeom: E by a walk, D the cone, until no facet violates a criter
     CHECK(check_mesh(begun.t.mesh) == "");
     CHECK(report.insertions_refine == watch.cones);
     CHECK(begun.t.mesh.points.size() == before + watch.cones);
-    CHECK(watch.asked == watch.cones + watch.at_curve + watch.not_a_disk);
+    CHECK(watch.asked == watch.cones + watch.at_curve + watch.not_a_disk + watch.near);
     CHECK(report.not_a_disk == watch.not_a_disk);
+    CHECK(report.too_near == watch.near);
     CHECK(report.curve_refusals == in_recover + watch.at_curve);
     std::size_t unrefined = 0, without_point = 0;
     for (FaceId f = 0; f < begun.t.mesh.faces.size(); ++f) {
@@ -299,10 +318,12 @@ TEST_CASE("RefineGeom: E by a walk, D the cone, until no facet violates a criter
     asked += watch.asked;
     at_curve += watch.at_curve;
     not_a_disk += watch.not_a_disk;
+    near += watch.near;
     larger += watch.larger;
   }
   CHECK(asked > 1000);
   CHECK(larger > 100);
   CHECK(at_curve > 0);
   CHECK(not_a_disk > 0);
+  CHECK(near > 0);
 }

@@ -208,7 +208,7 @@ TEST_CASE("a run stops after Recover; its stages are named, its steps told") {
   const Report report = ran(field, options, whole);
   CHECK(notes.stages == std::vector<std::string>{"initial", "recover", "poles", "refine"});
   CHECK(notes.added == report.insertions_recover);
-  CHECK(notes.refused_in_refine == report.not_a_disk + report.curve_refusals);
+  CHECK(notes.refused_in_refine == report.not_a_disk + report.too_near + report.curve_refusals);
   CHECK(notes.refused_in_recover == report.curve_splits);
   options.observer = nullptr;
   options.stop_after_recover = true;
