@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "base/cancel.h"
+#include "base/step_counter.h"
 #include "delaunay/triangulation.h"
 #include "mesh/tri_mesh.h"
 
@@ -55,20 +55,6 @@ class Observer {
   virtual void cone_added(VertexId, std::span<const FaceId> /*D*/) {}
 };
 
-// Counts steps. At every 1024th it reports, and polls for cancellation.
-class Steps {
- public:
-  explicit Steps(Observer* observer) : observer_(observer) {}
-
-  void step(std::size_t queued) {
-    if (++done_ % 1024 != 0) return;
-    throw_if_canceled();
-    if (observer_) observer_->steps_done(done_, queued);
-  }
-
- private:
-  Observer* observer_;
-  std::size_t done_ = 0;
-};
+using Steps = StepCounter<Observer>;
 
 }  // namespace deliso::paper

@@ -10,8 +10,8 @@
 #include <span>
 
 #include "base/box3.h"
-#include "base/cancel.h"
 #include "base/ids.h"
+#include "base/step_counter.h"
 #include "base/vec3.h"
 #include "mesh/tri_mesh.h"
 #include "surface/criteria.h"
@@ -28,8 +28,8 @@ class Labels;
 
 // Why a point is inserted or an operation tried. The criteria follow, by reason_of().
 enum class Reason : std::uint8_t {
-  beginning,     // of a stage
-  region,        // Stage 1
+  beginning,  // of a stage
+  region,     // Stage 1
   interface,
   triple,
   boundary,
@@ -94,21 +94,6 @@ inline Observer* follower(Observer* observer) {
   return observer && observer->follows_insertions() ? observer : nullptr;
 }
 
-// Counts the steps of a stage. At every 1024th it reports, and polls for cancellation.
-class Steps {
- public:
-  explicit Steps(Observer* observer) : observer_(observer) {}
-
-  void step(std::size_t queued) {
-    constexpr std::size_t kStepsPerReport = 1024;
-    if (++done_ % kStepsPerReport != 0) return;
-    throw_if_canceled();
-    if (observer_) observer_->steps_done(done_, queued);
-  }
-
- private:
-  Observer* observer_;
-  std::size_t done_ = 0;
-};
+using Steps = StepCounter<Observer>;
 
 }  // namespace deliso
