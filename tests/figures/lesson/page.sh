@@ -34,7 +34,7 @@ done
 
 # A column of the table of prices, from the two of Table 3.
 for volume in FUEL ENGINE; do
-  awk -F '|' -v volume=" $volume " '/^\*\*Table / { table = $0 }
+  awk -F '|' -v volume=" $volume " '/^\*\*/ { table = $0 }
     table ~ /Table 3: seconds/ && $2 == volume { printf "%.1f µs\n%.1f µs\n", 1e6 * $4, 1e6 * $6 }
     table ~ /Table 3: insertions/ && $2 == volume { printf "%s\n%s\n", $6, $9 }' \
     "$1/docs/results.md" | sed 's/^ *//;s/ *$//' >"$work/prices"
