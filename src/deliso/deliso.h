@@ -33,8 +33,8 @@ struct DelaunayMesh {
   std::vector<Vec3> samples;  // reference samples, the vertices of T
 };
 
-// Runs both stages on a whole volume, in this thread, and chooses the components before. `contour`: T
-// of build_contour(), with at least one vertex.
+// Runs both stages on a whole volume, in this thread, and chooses the components before. `contour`:
+// T of build_contour(), with at least one vertex.
 DelaunayMesh delaunay_mesh(const Isosurface& surface, ContourMesh contour, const Options& options,
                            const Parameters& parameters, Report& report);
 

@@ -52,7 +52,8 @@ double density(const Options& options, const Volume& volume, double thin) {
           ? Options::kNone
           : std::max({kDistanceDensity / length(Criterion::distance) +
                           kThinDistance * bent / squared(length(Criterion::distance)),
-                      kHeightDensity / squared(h_over_r), kRadiusDensity / squared(length(Criterion::radius))});
+                      kHeightDensity / squared(h_over_r),
+                      kRadiusDensity / squared(length(Criterion::radius))});
   const double r_min = options.r_min.in(volume) / voxel;
   const double creases = h_over_r < Options::kNone ? kCreaseDensity / r_min : 0;
   // Facets below r_min are not refined.

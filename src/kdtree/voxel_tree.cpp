@@ -30,8 +30,7 @@ void add_cuts(AxisCuts& cuts, int lo, int hi, std::size_t code,
 
 }  // namespace
 
-VoxelTree::VoxelTree(const Volume& volume)
-    : volume_(volume), units_(volume) {
+VoxelTree::VoxelTree(const Volume& volume) : volume_(volume), units_(volume) {
   choose_axes();
   volume.visit([&](const auto* samples) { build(samples); });
 }

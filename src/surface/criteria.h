@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The criteria that a facet must meet: h/r and r/l of paper §3.2 (RefineGeom), and bounds on distance
-// and size. They are pure functions of measured numbers. Lengths are in the
-// scaled frame. A criterion is a row of kCriterionTable; app/criterion_words.h describes it to
-// users.
+// The criteria that a facet must meet: h/r and r/l of paper §3.2 (RefineGeom), and bounds on
+// distance and size. They are pure functions of measured numbers. Lengths are in the scaled frame.
+// A criterion is a row of kCriterionTable; app/criterion_words.h describes it to users.
 #pragma once
 
 #include <array>

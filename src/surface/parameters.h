@@ -36,8 +36,8 @@ struct RunSettings {
 struct Parameters : RunSettings {
   double voxel;  // Volume::voxel()
   double r_min;
-  double fingers;     // Stage 1: largest distance from a vertex of T to K
-  double gap;         // facets that face each other are moved apart by so much, at least
+  double fingers;  // Stage 1: largest distance from a vertex of T to K
+  double gap;      // facets that face each other are moved apart by so much, at least
   Criteria refinement;
   // Stage 2 leaves facets with a corner on a fixed arc as they are: blocks/seams.h refines them.
   bool leaves_seams = false;
