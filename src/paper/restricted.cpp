@@ -89,8 +89,10 @@ SiteId RestrictedDelaunay::insert(const Vec3& p) {
   if (options_.observer) options_.observer->insertion_begins(p, zone_);
   created_.clear();
   touched_.assign(1, SiteId(del_.vertex_capacity()));
-  kept_.clear();
-  for (const Facet f : zone_.boundary) kept_.push_back(hits_[slot(f)]);
+  if (options_.keep_hits) {
+    kept_.clear();
+    for (const Facet f : zone_.boundary) kept_.push_back(hits_[slot(f)]);
+  }
   for (const CellId c : zone_.cells) {
     for (int i = 0; i < 4; ++i) {
       Hits& hits = hits_[slot({c, i})];

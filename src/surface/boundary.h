@@ -116,7 +116,7 @@ class Chain {
   // Joins v's neighbors to each other. pre: the loop has more than three vertices.
   void remove(Vertex v);
   // Returns the chain with every vertex v renumbered as new_id[v]. Where that is kNoId, v is
-  // removed and its neighbors are joined: the paper's tests can lose facets.
+  // removed and its neighbors are joined.
   template <class Other>
   Chain<Other> renumbered(const std::vector<Other>& new_id) const;
   std::size_t vertex_capacity() const { return links_.size(); }

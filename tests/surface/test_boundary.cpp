@@ -96,7 +96,7 @@ TEST_CASE("a chain links vertices in both directions, also after insertion and r
   CHECK(after.place(2).s == 6);
 }
 
-// The paper's tests can lose all facets at a vertex of the chain. Its neighbors then pointed to
+// A Stage 1 of an earlier state lost all facets at a vertex of the chain. Its neighbors pointed to
 // nobody, and collapsing needles along the box read far outside of the chain.
 TEST_CASE("a chain stays closed when a vertex is removed") {
   BoundaryChain chain;
