@@ -6,23 +6,14 @@
 #include <utility>
 
 #include "base/stopwatch.h"
-#include "blocks/choose_seams.h"
-#include "blocks/clear_seam.h"
-#include "blocks/seam.h"
+#include "coarsen/contour_as_mesh.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
-#include "recover/recover.h"
-#include "refine/lift_off.h"
 #include "refine/refine.h"
-#include "stage1/first_sample.h"
 #include "surface/observer.h"
 
 namespace deliso {
 namespace {
-
-// Rounds in which a seam is cleared. An edge within the face can block the removal of a vertex.
-// That edge leaves the face in the same round, so the next round can remove the vertex.
-constexpr int kMaxSeamRounds = 3;
 
 // Samples this near to an inner face are held against the welded mesh: the facet that is nearest
 // may be the neighbor's.
@@ -39,32 +30,6 @@ bool is_near_seam(const Vec3& p, const Volume& block) {
     }
   }
   return false;
-}
-
-// Returns the block's share of the random points, by its size.
-std::size_t share_of_samples(std::size_t samples, const Volume& block, const Volume& whole) {
-  const auto voxels = [](const Volume& v) {
-    return static_cast<double>(v.voxels().i) * v.voxels().j * v.voxels().k;
-  };
-  const double share = voxels(block) / voxels(whole);
-  return static_cast<std::size_t>(std::ceil(share * static_cast<double>(samples)));
-}
-
-void clear(Block& block, const BoxSurface& at, const BlockRun& run) {
-  const unsigned inner = at.volume.inner_faces();
-  if (inner == 0) return;
-  const BoundaryCurves curves(at.surface, block.loops);
-  std::size_t unknown = 1, flat = 0;
-  for (int round = 0; round < kMaxSeamRounds && unknown + flat > 0; ++round) {
-    unknown = clear_seam(block.mesh, at.surface, curves, run.parameters, block.report);
-    flat = lift_off(block.mesh, at.surface, curves, inner, OffSurface::refused, run.parameters,
-                    block.report);
-  }
-  block.refused = faulty_faces(block.mesh, curves, at.volume);
-  // Blocks wait for each other.
-  block.mesh.mesh.points.shrink_to_fit();
-  block.mesh.mesh.faces.shrink_to_fit();
-  block.mesh.duals.shrink_to_fit();
 }
 
 // Returns the vertices, and those beside them.
@@ -104,35 +69,29 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
   if (contour.points.empty()) return block;
   block.components.push_back(components_of(contour, volume));
   const BoxSurface at(volume, run.kappa);
-  Parameters parameters = run.parameters;
-  parameters.samples = share_of_samples(parameters.samples, at.volume, run.source.shape);
-  make_fine(contour, at.surface, parameters, report);
+  make_fine(contour, at.surface, run.parameters, report);
   if (!kept.empty()) keep_components(contour, kept);
   if (contour.points.empty()) return block;
 
-  BoundaryLoops loops = boundary_loops(contour);
-  choose_seams(at.volume, run.grid, loops);
-  block.loops = std::make_shared<const BoundaryLoops>(std::move(loops));
-  std::vector<Vec3> samples;
-  for (const Vec3& p : contour.points) {
-    (is_near_seam(p, at.volume) ? block.samples_near_seams : samples).push_back(p);
-  }
-  block.samples_near_seams.shrink_to_fit();
   const bool has_seams = at.volume.inner_faces() != 0;
+  block.loops =
+      std::make_shared<const BoundaryLoops>(boundary_loops(contour, at.volume.inner_faces()));
   const BoundaryCurves curves(at.surface, block.loops);
-  Options options = run.options;
-  options.stop_after_recover |= run.parameters.has_target() || has_seams;
-  block.mesh = delaunay_mesh(at.surface, contour, curves, samples, options, parameters, report);
-  // Stage 1 knows most of what a seam will lack, so a larger block is known to be needed soon.
-  if (has_seams) clear(block, at, run);
-  if (block.refused != 0 || run.options.stop_after_recover) return block;
-  if (run.parameters.has_target()) {
-    block.samples = std::move(samples);
-    return block;
+  for (const Vec3& p : contour.points) {
+    (is_near_seam(p, at.volume) ? block.samples_near_seams : block.samples).push_back(p);
   }
+  Options options = run.options;
+  options.stop_after_recover |= run.parameters.has_target();
+  block.mesh = delaunay_mesh(at.surface, contour, curves, block.samples, options, run.parameters,
+                             report);
+  if (run.parameters.has_target()) return block;
+  block.samples = std::vector<Vec3>();
   if (!has_seams) return block;
-  refine(block.mesh, at.surface, curves, samples, parameters, report);
-  clear(block, at, run);
+  // Blocks wait for each other.
+  block.samples_near_seams.shrink_to_fit();
+  block.mesh.mesh.points.shrink_to_fit();
+  block.mesh.mesh.faces.shrink_to_fit();
+  block.mesh.duals.shrink_to_fit();
   return block;
 }
 
@@ -141,11 +100,6 @@ void refine_block(const BlockRun& run, const Parameters& parameters, Block& bloc
   const BoxSurface at(run.source.read(block.box), run.kappa);
   refine(block.mesh, at.surface, {at.surface, block.loops}, block.samples, parameters,
          block.report);
-}
-
-void make_seam(const BlockRun& run, Block& block) {
-  if (block.mesh.mesh.faces.empty()) return;
-  clear(block, BoxSurface(run.source.read(block.box), run.kappa), run);
 }
 
 bool is_on_seam(const Block& block, VertexId v) {

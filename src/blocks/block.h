@@ -41,9 +41,6 @@ struct Block {
   // until mark_seam_work().
   IdArray<FaceId, std::uint8_t> is_open;
   IdArray<VertexId, std::uint8_t> may_thin;
-  // The inner faces at which no seam could be made (blocks/seam.h).
-  unsigned refused = 0;
-  bool is_refined = false;  // with a desired count: to the last bound, with its seam
   Report report;
 };
 
@@ -75,9 +72,6 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
 
 // Stage 2 once more, with other criteria.
 void refine_block(const BlockRun& run, const Parameters& parameters, Block& block);
-
-// Removes everything but the seam from the inner faces. Sets block.refused.
-void make_seam(const BlockRun& run, Block& block);
 
 // True if the vertex lies on a seam.
 bool is_on_seam(const Block& block, VertexId v);

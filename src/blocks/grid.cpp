@@ -9,17 +9,6 @@
 #include "base/check.h"
 
 namespace deliso {
-namespace {
-
-bool overlap(const SampleBox& a, const SampleBox& b) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (a.begin[axis] >= b.end[axis] || b.begin[axis] >= a.end[axis]) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
 SampleBox grown(SampleBox box, Index3 by, Index3 last) {
   for (int axis = 0; axis < 3; ++axis) {
     box.begin[axis] = std::max(box.begin[axis] - by[axis], 0);
@@ -93,28 +82,6 @@ std::vector<SampleBox> BlockGrid::boxes() const {
 CellRun cells_of(PartChoice part, std::size_t cells) {
   const auto bound = [&](int n) { return cells * n / part.of; };
   return {bound(part.number - 1), bound(part.number)};
-}
-
-SampleBox merged(const BlockGrid& grid, const std::vector<SampleBox>& boxes, SampleBox box,
-                 unsigned faces) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<int>& planes = grid.planes[axis];
-    if ((faces >> (2 * axis) & 1) != 0) {
-      box.begin[axis] = *std::prev(std::ranges::lower_bound(planes, box.begin[axis]));
-    }
-    if ((faces >> (2 * axis + 1) & 1) != 0) {
-      box.end[axis] = *std::ranges::upper_bound(planes, box.end[axis]);
-    }
-  }
-  for (bool grows = true; grows;) {
-    grows = false;
-    for (const SampleBox& other : boxes) {
-      if (!overlap(box, other) || is_in(other, box)) continue;
-      box = united(box, other);
-      grows = true;
-    }
-  }
-  return box;
 }
 
 int usual_block_side(const Volume& volume) {

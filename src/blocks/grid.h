@@ -49,12 +49,6 @@ struct CellRun {
 };
 CellRun cells_of(PartChoice part, std::size_t cells);
 
-// Returns the smallest box that holds `box` and all voxels within one across its `faces` (bit 2 *
-// axis, + 1 at the high end), and no part of another of `boxes`. pre: boxes end on planes of the
-// grid.
-SampleBox merged(const BlockGrid& grid, const std::vector<SampleBox>& boxes, SampleBox box,
-                 unsigned faces);
-
 // Returns about how many voxels a block has along each axis: a fifth of the volume's longest side,
 // but 64 to 128. Where volumes are larger facets are too, and seams would cost more vertices.
 int usual_block_side(const Volume& volume);

@@ -106,10 +106,8 @@ class BlockMesher {
 
   Block run() {
     if (blocks_.empty()) return {};
-    mesh_blocks(all());
+    mesh_blocks();
     if (given_.has_target()) refine_to_target();
-    // Where blocks were merged, the order would depend on which was refused first.
-    std::ranges::sort(blocks_, {}, [&](const Block& b) { return first_cell(b.box); });
     if (cells_.size() > 1) {
       begin_stage(given_.observer, "weld");
       for_each_task(options_.threads, blocks_.size(),
@@ -125,13 +123,11 @@ class BlockMesher {
   }
 
  private:
-  std::size_t first_cell(const SampleBox& box) const {
-    return grid_.number_of(grid_.cell_of(box.begin));
-  }
-
-  // Calls work(block) for the blocks with these numbers, those with the most crossings first.
+  // Calls work(block) for all blocks, those with the most crossings first.
   template <class Work>
-  void for_each_block(std::vector<std::size_t> numbers, Work&& work) {
+  void for_each_block(Work&& work) {
+    std::vector<std::size_t> numbers(blocks_.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
     std::vector<std::size_t> weight(blocks_.size(), 1);
     if (const std::optional<Volume>& volume = run_.source.in_memory) {
       for_each_task(options_.threads, numbers.size(), [&](std::size_t n) {
@@ -151,12 +147,6 @@ class BlockMesher {
       left -= weight[numbers[n]];
       if (observer) observer->steps_done(done, left);
     });
-  }
-
-  std::vector<std::size_t> all() const {
-    std::vector<std::size_t> numbers(blocks_.size());
-    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
-    return numbers;
   }
 
   // Returns per block which of its components are kept; empty: all are.
@@ -187,55 +177,13 @@ class BlockMesher {
     return of_block;
   }
 
-  // Meshes these blocks. Where a seam is refused, the blocks at it become one, which is meshed
-  // again.
-  void mesh_blocks(std::vector<std::size_t> todo) {
-    while (!todo.empty()) {
-      const std::vector<std::vector<std::uint8_t>> kept = choose_components();
-      for_each_block(todo, [&](std::size_t n) {
-        const std::span<const std::uint8_t> own =
-            kept.empty() ? std::span<const std::uint8_t>() : kept[n];
-        blocks_[n] = mesh_block(run_, blocks_[n].box, own);
-      });
-      todo = merge_refused();
-    }
-  }
-
-  // Returns the numbers of the new blocks.
-  std::vector<std::size_t> merge_refused() {
-    std::vector<SampleBox> boxes, fresh;
-    for (const Block& block : blocks_) boxes.push_back(block.box);
-    for (const Block& block : blocks_) {
-      if (block.refused == 0) continue;
-      // An earlier merge may have taken it already.
-      if (std::ranges::find(boxes, block.box) == boxes.end()) continue;
-      const SampleBox box = merged(grid_, boxes, block.box, block.refused);
-      require_own(box);
-      std::erase_if(boxes, [&](const SampleBox& other) { return is_in(other, box); });
-      std::erase_if(fresh, [&](const SampleBox& other) { return is_in(other, box); });
-      boxes.push_back(box);
-      fresh.push_back(box);
-    }
-    if (fresh.empty()) return {};
-    std::erase_if(blocks_, [&](const Block& block) {
-      return std::ranges::find(boxes, block.box) == boxes.end() || block.refused != 0;
+  void mesh_blocks() {
+    const std::vector<std::vector<std::uint8_t>> kept = choose_components();
+    for_each_block([&](std::size_t n) {
+      const std::span<const std::uint8_t> own =
+          kept.empty() ? std::span<const std::uint8_t>() : kept[n];
+      blocks_[n] = mesh_block(run_, blocks_[n].box, own);
     });
-    std::vector<std::size_t> numbers;
-    for (const SampleBox& box : fresh) {
-      numbers.push_back(blocks_.size());
-      blocks_.emplace_back().box = box;
-    }
-    report_[Counter::seams_refused] += fresh.size();
-    return numbers;
-  }
-
-  // A larger block across parts would have to be meshed by both.
-  void require_own(const SampleBox& box) const {
-    for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-      if (own_.holds(cell) || !is_in(cells_[cell], box)) continue;
-      throw InputError("the surface is too fine for the seam between part ", part_.number, " of ",
-                       part_.of, " and another: try another --block-side");
-    }
   }
 
   // Returns the vertices or triangles, without those at seams: most of these will be thinned.
@@ -261,24 +209,12 @@ class BlockMesher {
     double& bound = parameters_.refinement[Criterion::distance];
     bound = kFirstDistanceVoxels * given_.voxel;
     for (;;) {
-      for_each_block(all(), [&](std::size_t n) { refine_block(run_, parameters_, blocks_[n]); });
+      for_each_block([&](std::size_t n) { refine_block(run_, parameters_, blocks_[n]); });
       const auto count = static_cast<double>(counted());
       if (count >= wanted || bound <= kLastDistanceVoxels * given_.voxel) break;
       // The number grows about as the inverse of the bound.
       const double ratio = std::clamp(count / wanted, kLeastDistanceRatio, kMostDistanceRatio);
       bound = std::max(ratio * bound, kLastDistanceVoxels * given_.voxel);
-    }
-    // The seams, and larger blocks where one is refused.
-    bool is_fresh = false;
-    for (std::vector<std::size_t> todo = all(); !todo.empty(); is_fresh = true) {
-      for_each_block(todo, [&](std::size_t n) {
-        if (is_fresh) refine_block(run_, parameters_, blocks_[n]);
-        make_seam(run_, blocks_[n]);
-        blocks_[n].is_refined = true;
-      });
-      mesh_blocks(merge_refused());
-      todo = all();
-      std::erase_if(todo, [&](std::size_t n) { return blocks_[n].is_refined; });
     }
   }
 

@@ -19,8 +19,7 @@ BlockGrid block_grid(const Volume& shape, const Options& options);
 // at the seams within the part, and without caps. With a desired count it has more vertices or
 // triangles than desired, and all reference samples. `kept`: per component of the whole contour,
 // nonzero if it is kept; empty: options.components decides. pre: the source can be read where the
-// part is; everywhere, if components are chosen. Throws InputError beyond --max-vertices, and where
-// a seam between parts is refused.
+// part is; everywhere, if components are chosen. Throws InputError beyond --max-vertices.
 Block mesh_in_blocks(const VolumeSource& source, double kappa, const Options& options,
                      const Parameters& parameters, std::vector<std::uint8_t> kept, PartChoice part,
                      Report& report);

@@ -9,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "blocks/patch.h"
+#include "coarsen/coarsen.h"
 #include "refine/coverage.h"
 #include "refine/refine.h"
 #include "surface/observer.h"
@@ -226,8 +227,13 @@ class SeamWork {
       }
     }
     const BoxSurface at(run_.source.read(samples_around(run_, patch.free_box)), run_.kappa);
-    patch.is_done = refine_part(patch.mesh, at.surface, {at.surface, whole_.loops}, patch.samples,
-                                run_.parameters, patch.report,
+    const BoundaryCurves curves(at.surface, whole_.loops);
+    const std::vector<std::uint8_t> changed =
+        coarsen(patch.mesh, at.surface, curves, run_.parameters,
+                coarsening_bound(run_.parameters), {patch.free_box, patch.thin}, patch.report);
+    for (std::size_t f = 0; f < changed.size(); ++f) patch.is_done[f] &= changed[f] == 0;
+    patch.is_done = refine_part(patch.mesh, at.surface, curves, patch.samples, run_.parameters,
+                                patch.report,
                                 {patch.free_box, std::move(patch.is_done), std::move(patch.thin)});
   }
 

@@ -4,23 +4,34 @@
 #include <memory>
 #include <utility>
 
+#include "base/stopwatch.h"
+#include "coarsen/coarsen.h"
+#include "coarsen/contour_as_mesh.h"
 #include "contour/contour.h"
-#include "recover/recover.h"
+#include "contour/fine_contour.h"
+#include "contour/plain_seams.h"
 #include "refine/refine.h"
-#include "stage1/first_sample.h"
 #include "surface/observer.h"
 
 namespace deliso {
 
-// The order of paper Figure 4: InitTriangulation, Recover, Refine. Recover ends with BuildTriMesh,
-// so that Refine has no tetrahedra.
+void make_fine(ContourMesh& contour, const Isosurface& surface, const Parameters& parameters,
+               Report& report) {
+  begin_stage(parameters.observer, "cutting");
+  const StepTimer timer(report.seconds_contour);
+  contour = fine_contour(std::move(contour), surface.volume(), surface.kappa());
+  make_seams_plain(contour, surface.volume());
+  report[Counter::voxels_cut] = contour.split_voxels;
+}
+
 SurfaceMesh delaunay_mesh(const Isosurface& surface, ContourMesh& contour,
                           const BoundaryCurves& curves, std::span<const Vec3> samples,
                           const Options& options, const Parameters& parameters, Report& report) {
   Observer* const observer = follower(parameters.observer);
   if (observer) observer->run_begins(parameters, report);
-  FirstSample first = init_triangulation(contour, curves, surface.volume(), parameters, report);
-  SurfaceMesh mesh = recover(surface, contour, std::move(first), parameters, report);
+  SurfaceMesh mesh = contour_as_mesh(contour);
+  contour.triangles = std::vector<Triangle>();
+  coarsen(mesh, surface, curves, parameters, report);
   if (observer) observer->mesh_handed_over(mesh);
   if (!options.stop_after_recover) {
     refine(mesh, surface, curves, samples, parameters, report);

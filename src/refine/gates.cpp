@@ -75,10 +75,18 @@ bool Refinement::keeps_manifold(Proposal& c) {
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t g = in.across[f][i];
       if (g == Disk::kNone || g < f) continue;
-      if (is_joined_outside(in.facets[f][(i + 1) % 3], in.facets[f][(i + 2) % 3], c)) return false;
+      const VertexId a = in.facets[f][(i + 1) % 3], b = in.facets[f][(i + 2) % 3];
+      if (joins_on_seam(a, b) || is_joined_outside(a, b, c)) return false;
     }
   }
   return true;
+}
+
+bool Refinement::joins_on_seam(VertexId a, VertexId b) const {
+  if (!parameters.leaves_seams || !s.chain.is_boundary(a) || !s.chain.is_boundary(b)) return false;
+  const Volume& block = surface.volume();
+  return (box_faces_at(point(a), block.box()) & box_faces_at(point(b), block.box()) &
+          block.inner_faces()) != 0;
 }
 
 bool Refinement::is_joined_outside(VertexId a, VertexId b, const Proposal& c) {

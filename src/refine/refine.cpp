@@ -376,6 +376,7 @@ void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& 
             std::span<const Vec3> samples, const Parameters& parameters, Report& report) {
   begin_stage(parameters.observer, "refine");
   RefineScope scope;
+  scope.free_box = FreeBox::within(surface.volume());
   // Only a bound on the distance says which vertices a mesh needs.
   if (parameters.refinement.asks(Criterion::distance)) {
     for (VertexId v = 0; v < mesh.mesh.points.size(); ++v) scope.thin.push_back(v);

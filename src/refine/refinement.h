@@ -33,6 +33,7 @@
 #include "embedding/box_grid.h"
 #include "embedding/disk_crossing.h"
 #include "mesh/disk.h"
+#include "surface/free_box.h"
 #include "surface/observer.h"
 #include "surface/parameters.h"
 #include "surface/report.h"
@@ -45,23 +46,6 @@ namespace deliso {
 struct EdgeRef {
   FaceId face = kNoId;
   int index = 0;
-};
-
-// Facets before `first_free` are frozen. The others may be replaced, by facets in the box from `lo`
-// (included) to `hi` (excluded).
-struct FreeBox {
-  static constexpr double kFar = std::numeric_limits<double>::infinity();
-  FaceId first_free = 0;
-  Vec3 lo{-kFar, -kFar, -kFar}, hi{kFar, kFar, kFar};
-
-  bool holds(const Vec3& p) const {
-    return lo.x <= p.x && p.x < hi.x && lo.y <= p.y && p.y < hi.y && lo.z <= p.z && p.z < hi.z;
-  }
-  // True if the box holds the ball around p.
-  bool holds(const Vec3& p, double radius) const {
-    const Vec3 r{radius, radius, radius};
-    return holds(p - r) && holds(p + r);
-  }
 };
 
 // Least cosine between the normals at an edge after a change, unless one was less before. Pieces of
@@ -217,6 +201,8 @@ class Refinement {
   std::ptrdiff_t facets_without_point(const Proposal& c) const;
   bool keeps_manifold(Proposal& c);
   bool is_joined_outside(VertexId a, VertexId b, const Proposal& c);
+  // True if an edge between them would lie in an inner face of the block: only the seam does.
+  bool joins_on_seam(VertexId a, VertexId b) const;
   double sharpest_edge(const Disk& disk, std::span<const Vec3> normals,
                        std::span<const FaceId> across) const;
   bool folds(const Proposal& c) const;

@@ -24,9 +24,6 @@ bool is_auxiliary(const Vec3& p, const Box3& box);
 // Throws an InputError if the sites are more than --max-vertices.
 void require_room(const Triangulation& triangulation, const Parameters& parameters);
 
-// Returns the curves in which T ends on the box, without fixed arcs.
-BoundaryLoops boundary_loops(const ContourMesh& contour);
-
 struct FirstSample {
   Triangulation triangulation;
   SiteChain chain;  // coarse

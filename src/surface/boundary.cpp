@@ -131,6 +131,16 @@ std::optional<CurvePoint> BoundaryCurves::split(const CurvePoint& a, const Curve
   return best;
 }
 
+bool BoundaryCurves::strays(const CurvePoint& a, const CurvePoint& b, double limit) const {
+  const std::vector<Vec3>& curve = loop(a.place.loop).points;
+  const std::size_t n = curve.size();
+  const double end = b.place.s > a.place.s ? b.place.s : b.place.s + static_cast<double>(n);
+  for (auto i = static_cast<std::size_t>(a.place.s) + 1; static_cast<double>(i) < end; ++i) {
+    if (distance2_to_chord(curve[i % n], a.point, b.point) > limit * limit) return true;
+  }
+  return false;
+}
+
 double BoundaryCurves::sagitta(const CurvePoint& a, const CurvePoint& b) const {
   const std::vector<CurvePoint> points = arc(a, b);
   double worst2 = 0;

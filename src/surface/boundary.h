@@ -79,6 +79,8 @@ class BoundaryCurves {
   // Returns a point near the middle of the arc from a to b, by length: a point of the curve, or
   // the middle between two. Nullopt if the arc is too short for a point other than its ends.
   std::optional<CurvePoint> split(const CurvePoint& a, const CurvePoint& b) const;
+  // True if a point of the curve between a and b is further from their chord than `limit`.
+  bool strays(const CurvePoint& a, const CurvePoint& b, double limit) const;
   // Returns the largest distance from the arc to its chord.
   double sagitta(const CurvePoint& a, const CurvePoint& b) const;
 

@@ -25,7 +25,7 @@ enum class Counter : std::uint8_t {
   uncertified_sites,        // sites that break the certificate with no vertex of T left to insert
   unready_facets,           // facets handed over whose dual line misses Sigma within r
   crossings_handed_over,    // pairs of facets of K that cross
-  seams_refused,            // larger blocks that were made because a seam could not be cleared
+  coarsened_again,          // coarsenings that crossed and were made again
   // Stage 2
   unrefined_facets,  // facets left that violate a criterion
   points_far,        // vertices of T left further from the mesh than asked for
@@ -40,7 +40,7 @@ inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::c
 inline constexpr std::array<std::string_view, kCounterCount> kCounterNames{
     "components_skipped", "boundary_splits_recover", "voxels_cut",
     "uncertified_sites",  "unready_facets",          "crossings_handed_over",
-    "seams_refused",      "unrefined_facets",        "points_far",
+    "coarsened_again",    "unrefined_facets",        "points_far",
     "cap_edges_lifted",   "cap_lifts_off_surface",   "cap_not_lifted",
     "cap_refused"};
 static_assert(!kCounterNames.back().empty());

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "coarsen/coarsen.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/stopwatch.h"
+#include "coarsen/coarsener.h"
+#include "coarsen/embedding.h"
+#include "surface/observer.h"
+#include "surface/surface_point.h"
+
+namespace deliso {
+namespace {
+
+// Components of fewer vertices stay as they are: they might be reversed, or passed by another.
+constexpr std::uint32_t kSmallComponent = 24;
+
+// The bound on the distance where the criteria have none, in voxels.
+constexpr double kUsualBoundVoxels = 0.1;
+
+// Attempts. Each keeps the vertices near the faults of the one before; the last keeps all.
+constexpr int kMostAttempts = 6;
+
+// Marks the vertices in the voxels that faulty facets of `mesh` meet, and of faulty components.
+void keep_near(const EmbeddingFaults& faults, const TriMesh& mesh, const MeshComponents& components,
+               const TriMesh& before, const Volume& volume, std::vector<std::uint8_t>& kept) {
+  constexpr double kMarginVoxels = 0.1;
+  const Vec3 margin = kMarginVoxels * volume.spacing();
+  const Index3 n = volume.voxels();
+  const auto number = [&](Index3 at) {
+    return static_cast<std::size_t>(at.i) + std::size_t(n.i) * (at.j + std::size_t(n.j) * at.k);
+  };
+  std::vector<std::uint8_t> is_marked(faults.facets.empty() ? 0 : number({0, 0, n.k}));
+  for (const FaceId f : faults.facets) {
+    const Triangle& t = mesh.faces[f].v;
+    const Box3 box = box_of(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+    const Index3 lo = volume.voxel_at(box.lo - margin), hi = volume.voxel_at(box.hi + margin);
+    for (int k = lo.k; k <= hi.k; ++k) {
+      for (int j = lo.j; j <= hi.j; ++j) {
+        for (int i = lo.i; i <= hi.i; ++i) is_marked[number({i, j, k})] = 1;
+      }
+    }
+  }
+  std::vector<std::uint8_t> is_faulty(components.count(), 0);
+  for (const std::uint32_t c : faults.components) is_faulty[c] = 1;
+  for (VertexId v = 0; v < kept.size(); ++v) {
+    if (components.of[v] != kNoId) kept[v.number()] |= is_faulty[components.of[v]];
+    if (!is_marked.empty()) kept[v.number()] |= is_marked[number(volume.voxel_at(before.points[v]))];
+  }
+}
+
+// Marks the vertices of small components that do not go on beyond the free box.
+std::vector<std::uint8_t> small_ones(const TriMesh& mesh, const MeshComponents& components) {
+  std::vector<std::uint32_t> size(components.count(), 0);
+  for (const std::uint32_t c : components.of) {
+    if (c != kNoId) ++size[c];
+  }
+  std::vector<std::uint8_t> kept(mesh.points.size(), 0);
+  for (VertexId v = 0; v < kept.size(); ++v) {
+    const std::uint32_t c = components.of[v];
+    kept[v.number()] = c != kNoId && !components.is_frozen[c] && size[c] < kSmallComponent;
+  }
+  return kept;
+}
+
+}  // namespace
+
+double coarsening_bound(const Parameters& p) {
+  return p.refinement.asks(Criterion::distance) ? p.refinement[Criterion::distance]
+                                                : kUsualBoundVoxels * p.voxel;
+}
+
+std::vector<std::uint8_t> coarsen(SurfaceMesh& s, const Isosurface& surface,
+                                  const BoundaryCurves& curves, const Parameters& parameters,
+                                  double distance, const CoarsenScope& scope, Report& report) {
+  const Volume& volume = surface.volume();
+  const TriMesh before = s.mesh;
+  const BoundaryChain chain = s.chain;
+  const MeshComponents components(before, chain, scope.free_box.first_free, volume.box());
+  std::vector<std::uint8_t> kept = small_ones(before, components), changed;
+  for (int attempt = 1;; ++attempt) {
+    changed.assign(s.mesh.faces.size(), 0);
+    if (attempt == kMostAttempts) break;
+    Coarsener(s, surface, curves, parameters, distance, scope, kept, changed,
+              report.searches_recover)
+        .run();
+    const EmbeddingFaults faults = embedding_faults(s, components, changed, volume.box());
+    if (faults.none()) break;
+    ++report[Counter::coarsened_again];
+    keep_near(faults, s.mesh, components, before, volume, kept);
+    s.mesh = before;
+    s.chain = chain;
+  }
+  const bool has_duals = !s.duals.empty();
+  s.duals.resize(s.mesh.faces.size());
+  SurfacePointFinder finder(surface);
+  for (FaceId f = 0; f < s.mesh.faces.size(); ++f) {
+    if (is_dead(s.mesh.faces[f]) || (has_duals && changed[f.number()] == 0)) continue;
+    const auto& [a, b, c] = s.mesh.faces[f].v;
+    s.duals[f] = finder.dual(s.mesh.points[a], s.mesh.points[b], s.mesh.points[c],
+                             report.searches_recover);
+    report[Counter::unready_facets] += !s.duals[f].on_surface;
+  }
+  return changed;
+}
+
+void coarsen(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
+             const Parameters& parameters, Report& report) {
+  const StepTimer timer(report.seconds_recover);
+  begin_stage(parameters.observer, "coarsen");
+  CoarsenScope scope{FreeBox::within(surface.volume()), {}};
+  for (VertexId v = 0; v < s.mesh.points.size(); ++v) scope.first.push_back(v);
+  coarsen(s, surface, curves, parameters, coarsening_bound(parameters), scope, report);
+  remove_dead(s);
+  report.points_recovered = s.mesh.points.size();
+}
+
+}  // namespace deliso

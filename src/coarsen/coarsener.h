@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Coarsens a mesh: fewer vertices, as far as the bound on the distance and the shapes of facets
+// allow. Each change replaces a disk of facets by a disk with the same boundary:
+//   - a vertex is removed, and its hole filled by the largest angle (coarsen/hole.h);
+//   - a vertex moves to the middle of its star, and on to Sigma;
+//   - an edge is flipped where the angles across it are too large.
+// A change is refused by the link condition, by shape, or by distance both ways: the vertex that
+// goes lies within the bound of the facet over it, and Sigma passes within the bound of each new
+// facet's circumcenter. So the mesh stays a manifold of the same topology.
+//
+// It may come to cross itself, since no change asks: that costs more than all the rest. Who calls
+// asks once, in the end (coarsen/embedding.h).
+//
+// It uses no random numbers. A change depends on the order of ids and on what is near it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "coarsen/coarsen.h"
+#include "coarsen/facet_test.h"
+#include "coarsen/hole.h"
+#include "coarsen/ring.h"
+#include "isosurface/isosurface.h"
+#include "mesh/tri_mesh.h"
+#include "surface/boundary.h"
+#include "surface/parameters.h"
+#include "surface/report.h"
+#include "surface/surface_point.h"
+
+namespace deliso {
+
+class Coarsener {
+ public:
+  // Keeps references. `distance`: the bound. `kept`: per vertex, nonzero if it stays where it is.
+  // Sets `changed`, per facet, to 1 for those that are new or have a moved corner.
+  Coarsener(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
+            const Parameters& parameters, double distance, const CoarsenScope& scope,
+            std::span<const std::uint8_t> kept, std::vector<std::uint8_t>& changed,
+            SearchCounters& searches);
+
+  // Removes, moves and flips. Dead facets stay.
+  void run();
+
+ private:
+  void remove_vertices();
+  void move_vertices();
+  void flip_edges();
+  bool remove(VertexId v);
+  bool may_leave_boundary(VertexId v) const;
+  bool keeps_link() const;
+  void replace_star(VertexId v);
+  bool move(VertexId v);
+  bool flip(FaceId f, int i);
+  // Walks around v. False if a facet there is frozen.
+  bool walk(VertexId v);
+  // True if an edge joins a and b.
+  bool joined(VertexId a, VertexId b) const;
+  // True if an edge between a and b would lie in a face of the box, within the mesh.
+  bool joins_on_box(VertexId a, VertexId b) const;
+  bool is_frozen(FaceId f) const { return f < scope_.free_box.first_free; }
+
+  TriMesh& mesh_;
+  BoundaryChain& chain_;
+  const BoundaryCurves& curves_;
+  const Box3 box_;
+  const FacetTest test_;
+  const CoarsenScope& scope_;
+  std::span<const std::uint8_t> kept_;
+  std::vector<std::uint8_t>& changed_;
+  SurfacePointFinder finder_;
+  SearchCounters& searches_;
+  IdArray<VertexId, FaceId> facet_;            // one at the vertex; kNoId: none
+  IdArray<VertexId, std::uint8_t> is_active_;  // the vertex is in the scope, or near a change
+  Ring ring_;
+  Hole hole_;
+};
+
+}  // namespace deliso

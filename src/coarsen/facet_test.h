@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// What a facet must meet that replaces others: a good shape, and Sigma near. Two values of the
+// interpolant say that Sigma, facing as the facet does, passes within the bound of its
+// circumcenter; a surface point costs ten times as much.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/triangle.h"
+#include "surface/parameters.h"
+#include "volume/interpolant.h"
+
+namespace deliso {
+
+struct FacetTest {
+  FacetTest(const Volume& volume, double kappa, const Parameters& p, double distance)
+      : g(volume, kappa), bound(distance), r_min2(p.r_min * p.r_min) {
+    const double ratio = p.refinement[Criterion::r_over_l];
+    ratio2 = ratio * ratio;
+  }
+
+  Interpolant g;
+  double bound;   // on the distance
+  double r_min2;  // a smaller facet may be at any distance
+  double ratio2;  // limit of (r/l)^2
+
+  // The squares of r and of the shortest edge.
+  struct Shape {
+    double r2, shortest2;
+    bool is_within(double limit2) const { return r2 <= limit2 * shortest2; }
+  };
+
+  // Edge vectors of a facet, and their products.
+  struct Facet {
+    Facet(const Vec3& a, const Vec3& b, const Vec3& c)
+        : from(a),
+          u(b - a),
+          v(c - a),
+          normal(cross(u, v)),
+          u2(length2(u)),
+          v2(length2(v)),
+          w2(length2(c - b)),
+          normal2(length2(normal)) {}
+
+    Shape shape() const { return {u2 * v2 * w2 / (4 * normal2), std::min({u2, v2, w2})}; }
+
+    Vec3 from, u, v, normal;
+    double u2, v2, w2, normal2;
+  };
+
+  bool has_surface_near(const Facet& f, double r2) const {
+    if (r2 <= r_min2) return true;
+    const Vec3 center =
+        f.from + (f.u2 * cross(f.v, f.normal) + f.v2 * cross(f.normal, f.u)) / (2 * f.normal2);
+    const Vec3 step = bound / std::sqrt(f.normal2) * f.normal;
+    return g(center - step) >= 0 && g(center + step) < 0;
+  }
+
+  // True if the facet faces along, has an r/l within the limit or `worst2`, and Sigma near.
+  bool holds(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& along, double worst2) const {
+    const Facet f(a, b, c);
+    if (!(dot(f.normal, along) > 0)) return false;
+    const Shape shape = f.shape();
+    return shape.is_within(std::max(ratio2, worst2)) && has_surface_near(f, shape.r2);
+  }
+};
+
+}  // namespace deliso

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "coarsen/hole.h"
+
+#include <limits>
+
+namespace deliso {
+
+bool Hole::fill(const Ring& ring, const FacetTest& test) {
+  ring_ = &ring;
+  test_ = &test;
+  size_ = 0;
+  is_covered_ = false;
+  worst2_ = -1;
+  const int last = ring.size - 1;
+  const int top = fill(0, last);
+  if (top == kFailed) return false;
+  // The edge from the last neighbor to the first: the star's own, or a new one on the boundary.
+  facets_[top].across[1] = static_cast<std::int8_t>(~last);
+  if (is_covered_) return true;
+  double distance2 = std::numeric_limits<double>::infinity();
+  for (int n = 0; n < size_; ++n) {
+    const auto& [a, b, c] = facets_[n].corner;
+    distance2 = std::min(distance2, distance2_to_triangle(ring.center, ring.point[a], ring.point[b],
+                                                          ring.point[c]));
+  }
+  return distance2 <= test.bound * test.bound;
+}
+
+double Hole::worst_of_star() const {
+  double worst2 = 0;
+  for (int k = 0; k < ring_->facets; ++k) {
+    worst2 = std::max(worst2, radius_ratio2(ring_->center, ring_->point[k],
+                                            ring_->point[ring_->after(k)]));
+  }
+  return worst2;
+}
+
+// Unless the vertex is over the facet and too far from it along the star's normal.
+bool Hole::covers(int i, int k, int j, const FacetTest::Facet& facet, bool& is_over) const {
+  const Ring& r = *ring_;
+  is_over = r.x[i] * r.y[k] - r.y[i] * r.x[k] >= 0 && r.x[k] * r.y[j] - r.y[k] * r.x[j] >= 0 &&
+            r.x[j] * r.y[i] - r.y[j] * r.x[i] >= 0;
+  if (!is_over) return true;
+  const double height = dot(facet.normal, r.center - facet.from);
+  const double cosine = dot(facet.normal, r.normal);
+  return height * height * r.normal2 <= test_->bound * test_->bound * cosine * cosine;
+}
+
+int Hole::fill(int i, int j) {
+  if (j - i == 1) return ~i;
+  const Ring& r = *ring_;
+  int third = -1;
+  double cotangent = std::numeric_limits<double>::infinity();
+  for (int k = i + 1; k < j; ++k) {
+    const double ux = r.x[i] - r.x[k], uy = r.y[i] - r.y[k];
+    const double wx = r.x[j] - r.x[k], wy = r.y[j] - r.y[k];
+    const double area = wx * uy - wy * ux;
+    if (!(area > 0)) continue;
+    const double at_k = (ux * wx + uy * wy) / area;
+    if (at_k < cotangent) cotangent = at_k, third = k;
+  }
+  if (third < 0) return kFailed;
+  const FacetTest::Facet facet(r.point[i], r.point[third], r.point[j]);
+  const FacetTest::Shape shape = facet.shape();
+  if (!shape.is_within(test_->ratio2)) {
+    if (worst2_ < 0) worst2_ = worst_of_star();
+    if (!shape.is_within(worst2_)) return kFailed;
+  }
+  bool is_over = false;
+  if (!covers(i, third, j, facet, is_over)) return kFailed;
+  if (!test_->has_surface_near(facet, shape.r2)) return kFailed;
+  is_covered_ |= is_over;
+  const int own = size_++;
+  facets_[own].corner = {static_cast<std::int8_t>(i), static_cast<std::int8_t>(third),
+                         static_cast<std::int8_t>(j)};
+  const int left = fill(i, third);
+  if (left == kFailed) return kFailed;
+  const int right = fill(third, j);
+  if (right == kFailed) return kFailed;
+  facets_[own].across = {static_cast<std::int8_t>(right), 0, static_cast<std::int8_t>(left)};
+  if (left >= 0) facets_[left].across[1] = static_cast<std::int8_t>(own);
+  if (right >= 0) facets_[right].across[1] = static_cast<std::int8_t>(own);
+  return own;
+}
+
+}  // namespace deliso

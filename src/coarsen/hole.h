@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The hole that a removed vertex leaves, filled by the triangle of the largest angle at each edge:
+// in the plane, the Delaunay triangulation.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "coarsen/facet_test.h"
+#include "coarsen/ring.h"
+
+namespace deliso {
+
+class Hole {
+ public:
+  struct Facet {
+    std::array<std::int8_t, 3> corner;  // numbers in the ring
+    // What is across from each corner: n >= 0: facet n of the filling; otherwise the ring's edge
+    // ~n, from neighbor ~n to the next.
+    std::array<std::int8_t, 3> across;
+  };
+
+  // Fills the hole. False if a facet turns over, is no better than the limits of `test` and the
+  // worst of the star, or has no Sigma near, or if the vertex is further than `test.bound` from the
+  // facet over it.
+  bool fill(const Ring& ring, const FacetTest& test);
+
+  int size() const { return size_; }  // facets
+  const Facet& facet(int n) const { return facets_[n]; }
+
+ private:
+  // Fills the part between neighbors i and j. Returns what lies across from the edge that joins
+  // them: a facet, or the ring's edge ~i; kFailed.
+  static constexpr int kFailed = 127;
+  int fill(int i, int j);
+  double worst_of_star() const;
+  bool covers(int i, int k, int j, const FacetTest::Facet& facet, bool& is_over) const;
+
+  const Ring* ring_ = nullptr;
+  const FacetTest* test_ = nullptr;
+  std::array<Facet, Ring::kMost> facets_;
+  int size_ = 0;
+  bool is_covered_ = false;  // a facet is over the vertex
+  double worst2_ = -1;       // of the star's (r/l)^2; negative: not known yet
+};
+
+}  // namespace deliso
