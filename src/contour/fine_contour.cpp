@@ -126,10 +126,7 @@ ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa
   const auto [shortest, longest] = std::minmax({spacing.x, spacing.y, spacing.z});
   const std::size_t vertices = plain.points.size();
   ContourSplit split;
-  split.elsewhere = cells_of(spacing, std::min(kMaxCellAspect * shortest, longest), longest,
-                             plain.summary.active_voxels, vertices);
-  ContourMesh contour =
-      split.elsewhere == Index3{1, 1, 1} ? std::move(plain) : build_contour(volume, kappa, split);
+  ContourMesh contour = std::move(plain);
   for (std::size_t trial = 0; trial < kCellsPerSide.size();) {
     // After the first pass only split voxels and their neighbors have new triangles.
     const std::vector<std::uint64_t> changed = with_neighbors(split.voxels, volume.dims());
