@@ -85,7 +85,7 @@ std::vector<std::uint8_t> coarsen(SurfaceMesh& s, const Isosurface& surface,
     Coarsener(s, surface, curves, parameters, distance, scope, kept, changed,
               report.searches_recover)
         .run();
-    const EmbeddingFaults faults = embedding_faults(s, components, changed, volume.box());
+    const EmbeddingFaults faults = embedding_faults(s, components, changed, scope.free_box, volume.box());
     if (faults.none()) break;
     ++report[Counter::coarsened_again];
     keep_near(faults, s.mesh, components, before, volume, kept);

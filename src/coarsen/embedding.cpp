@@ -19,11 +19,12 @@ namespace {
 class Embedding {
  public:
   Embedding(const SurfaceMesh& s, const MeshComponents& components,
-            std::span<const std::uint8_t> changed, const Box3& box)
+            std::span<const std::uint8_t> changed, const FreeBox& free_box, const Box3& box)
       : mesh_(s.mesh),
         chain_(s.chain),
         components_(components),
         changed_(changed),
+        free_box_(free_box),
         box_(box),
         grid_(box_of_all(s.mesh, box), cell_of(s.mesh)) {
     grid_.expect(mesh_.faces.size());
@@ -65,7 +66,7 @@ class Embedding {
     IdArray<VertexId, std::uint8_t> is_known(mesh_.points.size(), 0);
     Ring ring;
     for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-      if (is_dead(mesh_.faces[f])) continue;
+      if (is_dead(mesh_.faces[f]) || changed_[f.number()] == 0) continue;
       for (const VertexId v : mesh_.faces[f].v) {
         if (std::exchange(is_known[v], 1) != 0) continue;
         is_fan_[v] = ring.walk(mesh_, f, v, chain_.is_boundary(v)) && ring.is_fan();
@@ -135,14 +136,15 @@ class Embedding {
   // The first facet that the line from p along the axis meets, in the direction of `sign`.
   struct Meeting {
     FaceId facet = kNoId;
-    double at = std::numeric_limits<double>::infinity();
+    double at;
   };
   Meeting first_met(FaceId from, const Vec3& p, int axis, double sign) const {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     Vec3 end = p;
-    end[axis] = sign > 0 ? box_.hi[axis] : box_.lo[axis];
+    end[axis] = sign > 0 ? std::min(box_.hi[axis], free_box_.hi[axis])
+                         : std::max(box_.lo[axis], free_box_.lo[axis]);
     const std::array<Vec3, 2> ends{p, end};
-    Meeting met;
+    Meeting met{kNoId, sign * (end[axis] - p[axis])};
     grid_.any(grid_.box_of(ends), [&](FaceId f, const BoxGrid::Box&) {
       if (f == from) return false;
       // p seen along the axis: on the inner side of every edge.
@@ -176,6 +178,7 @@ class Embedding {
       if (f == kNoId || largest.size() == 1) continue;
       const Triangle& t = mesh_.faces[f].v;
       const Vec3 p = (point(t[0]) + point(t[1]) + point(t[2])) / 3, &n = normals_[f];
+      if (!free_box_.holds(p)) continue;
       for (int axis = 0; axis < 3; ++axis) {
         if (n[axis] * n[axis] < kGrazing * kGrazing * length2(n)) continue;
         for (const double sign : {1.0, -1.0}) {
@@ -193,6 +196,7 @@ class Embedding {
   const BoundaryChain& chain_;
   const MeshComponents& components_;
   const std::span<const std::uint8_t> changed_;
+  const FreeBox& free_box_;
   const Box3 box_;
   BoxGrid grid_;
   IdArray<FaceId, Vec3> normals_;
@@ -253,8 +257,9 @@ std::vector<double> MeshComponents::volumes(const TriMesh& mesh) const {
 }
 
 EmbeddingFaults embedding_faults(const SurfaceMesh& s, const MeshComponents& components,
-                                 std::span<const std::uint8_t> changed, const Box3& box) {
-  return Embedding(s, components, changed, box).find();
+                                 std::span<const std::uint8_t> changed, const FreeBox& free_box,
+                                 const Box3& box) {
+  return Embedding(s, components, changed, free_box, box).find();
 }
 
 }  // namespace deliso

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/box3.h"
+#include "surface/free_box.h"
 #include "surface/surface_mesh.h"
 
 namespace deliso {
@@ -43,8 +44,9 @@ struct EmbeddingFaults {
 };
 
 // Returns the faults of a mesh of which some facets changed. `components`: before that; vertices
-// keep their numbers.
+// keep their numbers. `box`: of the volume; within the free box no facet is missing.
 EmbeddingFaults embedding_faults(const SurfaceMesh& s, const MeshComponents& components,
-                                 std::span<const std::uint8_t> changed, const Box3& box);
+                                 std::span<const std::uint8_t> changed, const FreeBox& free_box,
+                                 const Box3& box);
 
 }  // namespace deliso
