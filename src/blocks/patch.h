@@ -21,9 +21,9 @@ struct MeshPatch {
   std::vector<VertexId> vertices;
   // Its own mesh, by extract(). The chain may be open: then its ends are their own neighbors.
   SurfaceMesh mesh;
-  // What of it is refined (RefineScope), and what was done.
+  // What of it is coarsened (CoarsenScope) and refined (RefineScope), and what was done.
+  std::vector<VertexId> first;
   std::vector<std::uint8_t> is_done;
-  std::vector<VertexId> thin;
   std::vector<Vec3> samples;
   Report report;
 };

@@ -18,7 +18,7 @@ namespace deliso {
 namespace {
 
 // Half the thickness of the boxes of each round, in samples; at most this share of a block's side.
-constexpr std::array kHalfSamples{12.0, 18.0, 24.0};
+constexpr std::array kHalfSamples{8.0, 12.0, 16.0};
 constexpr std::array kMaxShares{0.25, 0.375, 0.5};
 // Boxes at work at once, for each thread: bounds the memory of those that are not put back yet.
 constexpr std::size_t kPatchesPerThread = 8;
@@ -223,18 +223,18 @@ class SeamWork {
     for (VertexId v = 0; v < patch.vertices.size(); ++v) {
       const VertexId in_whole = patch.vertices[v];
       if (may_thin_[in_whole] != 0 && patch.free_box.holds(whole_.mesh.mesh.points[in_whole])) {
-        patch.thin.push_back(v);
+        patch.first.push_back(v);
       }
     }
     const BoxSurface at(run_.source.read(samples_around(run_, patch.free_box)), run_.kappa);
     const BoundaryCurves curves(at.surface, whole_.loops);
     const std::vector<std::uint8_t> changed =
         coarsen(patch.mesh, at.surface, curves, run_.parameters,
-                coarsening_bound(run_.parameters), {patch.free_box, patch.thin}, patch.report);
+                coarsening_bound(run_.parameters), {patch.free_box, patch.first}, patch.report);
     for (std::size_t f = 0; f < changed.size(); ++f) patch.is_done[f] &= changed[f] == 0;
     patch.is_done = refine_part(patch.mesh, at.surface, curves, patch.samples, run_.parameters,
                                 patch.report,
-                                {patch.free_box, std::move(patch.is_done), std::move(patch.thin)});
+                                {patch.free_box, std::move(patch.is_done), true});
   }
 
   void take(MeshPatch patch) {

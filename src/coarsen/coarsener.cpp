@@ -100,6 +100,7 @@ bool Coarsener::walk(VertexId v) {
 bool Coarsener::remove(VertexId v) {
   if (chain_.is_boundary(v) && !may_leave_boundary(v)) return false;
   if (!walk(v) || ring_.size < 3) return false;
+  ring_.project();
   if (!hole_.fill(ring_, test_) || !keeps_link()) return false;
   replace_star(v);
   return true;

@@ -69,7 +69,9 @@ class Embedding {
       if (is_dead(mesh_.faces[f]) || changed_[f.number()] == 0) continue;
       for (const VertexId v : mesh_.faces[f].v) {
         if (std::exchange(is_known[v], 1) != 0) continue;
-        is_fan_[v] = ring.walk(mesh_, f, v, chain_.is_boundary(v)) && ring.is_fan();
+        if (!ring.walk(mesh_, f, v, chain_.is_boundary(v))) continue;
+        ring.project();
+        is_fan_[v] = ring.is_fan();
       }
     }
   }

@@ -35,11 +35,20 @@ bool Ring::walk(const TriMesh& mesh, FaceId first, VertexId v, bool is_boundary)
     ++size;
     break;
   }
+  // Each cross product from the sides at the vertex, which two facets share.
   normal = {};
-  for (int k = 0; k < facets; ++k) {
-    normal = normal + cross(point[k] - center, point[after(k)] - center);
+  Vec3 last = point[0] - center;
+  for (int k = 1; k < size; ++k) {
+    const Vec3 next = point[k] - center;
+    normal = normal + cross(last, next);
+    last = next;
   }
+  if (is_closed) normal = normal + cross(last, point[0] - center);
   normal2 = length2(normal);
+  return normal2 > 0;
+}
+
+void Ring::project() {
   // Two directions in the plane.
   const double nx = std::fabs(normal.x), ny = std::fabs(normal.y), nz = std::fabs(normal.z);
   const Vec3 u = nx <= ny && nx <= nz ? Vec3{0, normal.z, -normal.y}
@@ -50,7 +59,6 @@ bool Ring::walk(const TriMesh& mesh, FaceId first, VertexId v, bool is_boundary)
     x[k] = dot(point[k] - center, u);
     y[k] = dot(point[k] - center, w);
   }
-  return normal2 > 0;
 }
 
 bool Ring::is_fan() const {

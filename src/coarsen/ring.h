@@ -38,8 +38,10 @@ struct Ring {
   // Walks around v, a corner of `first`. False if it has too many neighbors, or some of its facets
   // are not in the mesh. `is_boundary`: v is on the mesh's boundary.
   bool walk(const TriMesh& mesh, FaceId first, VertexId v, bool is_boundary);
+  // Sets x and y.
+  void project();
   // True if the facets of the star lie side by side, seen along their normal, with a margin above
-  // rounding: then they do not cross.
+  // rounding: then they do not cross. pre: project().
   bool is_fan() const;
 };
 

@@ -10,7 +10,7 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kSamplesCounted = std::size_t{1} << 22;
+constexpr std::size_t kSamplesCounted = std::size_t{1} << 20;
 
 // Vertices per voxel squared of surface. One number is for Stage 1, and one for what its topology
 // and shape leave of it when vertices that are not needed are gone. Two are added for bounds of one

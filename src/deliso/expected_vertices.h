@@ -22,7 +22,7 @@ struct SurfaceEstimate {
   double thin = 0;
 };
 
-// Returns the size of the surface from about 4 million samples, or all of a smaller volume. Within
+// Returns the size of the surface from about 1 million samples, or all of a smaller volume. Within
 // a few percent.
 SurfaceEstimate estimate_surface(const Volume& volume, double kappa);
 

@@ -50,13 +50,13 @@ class RefineGeom {
         far_(far),
         steps_(refinement.parameters.observer) {}
 
-  // Refines the facets that are not done, and new ones; then thins the vertices and those inserted.
+  // Refines the facets that are not done, and new ones; then thins the vertices near a change.
   // Returns per facet whether it is done; one at which a frozen facet refused an operation is not.
   // Throws InputError at max_vertices.
-  std::vector<std::uint8_t> run(std::vector<std::uint8_t> is_done, std::span<const VertexId> thin);
+  std::vector<std::uint8_t> run(std::vector<std::uint8_t> is_done, bool thins);
 
  private:
-  void thin(std::span<const VertexId> vertices);
+  void thin();
   enum class Moves : std::uint8_t { no, yes };
   // Refines until every facet meets the criteria or every operation is refused. The last operation
   // is a move, if moves are allowed.
@@ -103,7 +103,8 @@ class RefineGeom {
   std::vector<std::uint8_t> is_done_;
   // Per facet: it came, or every operation was refused, since moves are allowed.
   std::vector<std::uint8_t> is_unsettled_;
-  IdArray<VertexId, std::uint8_t> is_crowded_;  // for separate()
+  IdArray<VertexId, std::uint8_t> is_near_change_;  // an operation was done there
+  IdArray<VertexId, std::uint8_t> is_crowded_;      // for separate()
   IdArray<FaceId, double> violation_;           // of facets that were queued; of others less than 0
   std::vector<FaceId> refused_;                 // in this pass of refine_worst_first()
   std::vector<FaceId> changed_;                 // to be tested for flips
@@ -113,7 +114,7 @@ class RefineGeom {
 };
 
 std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done,
-                                          std::span<const VertexId> vertices) {
+                                          bool thins) {
   is_done_ = std::move(is_done);
   is_done_.resize(mesh_.faces.size(), 0);
   has_delaunay_edges_.resize(mesh_.faces.size(), 0);
@@ -126,7 +127,7 @@ std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done,
     if (is_live(f) && !is_done_[f]) enqueue(f);
   }
   refine_worst_first(Moves::no);
-  if (!vertices.empty()) thin(vertices);
+  if (thins) thin();
   while (insert_far_samples()) refine_worst_first(Moves::no);
   is_unsettled_.clear();
   refine_worst_first(Moves::yes);
@@ -135,8 +136,12 @@ std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done,
   return std::move(is_done_);
 }
 
-void RefineGeom::thin(std::span<const VertexId> vertices) {
-  for (Thinning thinning(r_, vertices); thinning.has_next();) accept(thinning.remove_next());
+void RefineGeom::thin() {
+  std::vector<VertexId> near;
+  for (VertexId v = 0; v < std::min(is_near_change_.size(), r_.inserted); ++v) {
+    if (is_near_change_[v] != 0) near.push_back(v);
+  }
+  for (Thinning thinning(r_, near); thinning.has_next();) accept(thinning.remove_next());
   flip_to_delaunay();
   refine_worst_first(Moves::no);
 }
@@ -225,7 +230,9 @@ bool RefineGeom::accept(const std::optional<Refusal>& refusal) {
   is_done_.resize(mesh_.faces.size(), 0);
   has_delaunay_edges_.resize(mesh_.faces.size(), 0);
   is_unsettled_.resize(mesh_.faces.size(), 0);
+  is_near_change_.resize(mesh_.points.size(), 0);
   for (const FaceId f : r_.created()) {
+    for (const VertexId v : mesh_.faces[f].v) is_near_change_[v] = 1;
     enqueue(f);
     changed_.push_back(f);
     is_done_[f] = has_delaunay_edges_[f] = 0;
@@ -356,7 +363,7 @@ std::vector<std::uint8_t> refine_part(SurfaceMesh& mesh, const Isosurface& surfa
   std::vector<std::uint32_t> far(samples.size());
   std::iota(far.begin(), far.end(), 0);
   Refinement refinement(mesh, surface, curves, parameters, report, scope.free_box);
-  return RefineGeom(refinement, samples, far).run(std::move(scope.is_done), scope.thin);
+  return RefineGeom(refinement, samples, far).run(std::move(scope.is_done), scope.thins);
 }
 
 void count_unrefined(const SurfaceMesh& s, const Parameters& parameters, Report& report) {
@@ -378,9 +385,7 @@ void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& 
   RefineScope scope;
   scope.free_box = FreeBox::within(surface.volume());
   // Only a bound on the distance says which vertices a mesh needs.
-  if (parameters.refinement.asks(Criterion::distance)) {
-    for (VertexId v = 0; v < mesh.mesh.points.size(); ++v) scope.thin.push_back(v);
-  }
+  scope.thins = parameters.refinement.asks(Criterion::distance);
   refine_part(mesh, surface, curves, samples, parameters, report, std::move(scope));
   remove_dead(mesh);
 }

@@ -31,9 +31,8 @@ void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& 
 struct RefineScope {
   FreeBox free_box;                   // the frozen facets, and the box of the others
   std::vector<std::uint8_t> is_done;  // per facet; those after the last are not done
-  // Vertices that are removed where the criteria do not need them (refine/thin.h); if there are
-  // any, inserted ones are too.
-  std::vector<VertexId> thin;
+  // Vertices near a change are removed where the criteria do not need them (refine/thin.h).
+  bool thins = false;
 };
 
 // Refines that part. Dead facets stay. Returns per facet whether it is done. A facet for which a
