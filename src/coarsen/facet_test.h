@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a facet must meet that replaces others: a good shape, and Sigma near. Two values of the
 // interpolant say that Sigma, facing as the facet does, passes within the bound of its
-// circumcenter; a surface point costs ten times as much.
+// circumcenter; a surface point costs ten times as much. Two more say that no other sheet comes
+// between the circumcenter and the ends of its ball: the vertices of that sheet would be in the
+// ball, and the facet not Delaunay.
 #pragma once
 
 #include <algorithm>
@@ -49,12 +51,18 @@ struct FacetTest {
     double u2, v2, w2, normal2;
   };
 
+  // How far from the circumcenter no other sheet may come, in circumradii. With 0 BABY has 1.7 % of
+  // facets that are not restricted Delaunay, with this .7 %; with 1.2 it has 5 % more vertices.
+  static constexpr double kBall = 0.9;
+
   bool has_surface_near(const Facet& f, double r2) const {
     if (r2 <= r_min2) return true;
     const Vec3 center =
         f.from + (f.u2 * cross(f.v, f.normal) + f.v2 * cross(f.normal, f.u)) / (2 * f.normal2);
     const Vec3 step = bound / std::sqrt(f.normal2) * f.normal;
-    return g(center - step) >= 0 && g(center + step) < 0;
+    const Vec3 ball = kBall * std::sqrt(r2 / f.normal2) * f.normal;
+    return g(center - step) >= 0 && g(center + step) < 0 && g(center - ball) >= 0 &&
+           g(center + ball) < 0;
   }
 
   // True if the facet faces along, has an r/l within the limit or `worst2`, and Sigma near.
