@@ -71,32 +71,6 @@ TEST_CASE("every voxel is in one block, and a block's samples are the volume's")
   }
 }
 
-TEST_CASE("a block grows beyond its refused faces by whole blocks") {
-  const Volume volume = Volume::from_function({{0, 0, 0}, {1, 1, 1}}, {31, 31, 31},
-                                              [](const Vec3& p) { return p.x; });
-  const BlockGrid grid(volume, 10);
-  std::vector<SampleBox> boxes = grid.boxes();
-  REQUIRE(boxes.size() == 27);
-  const SampleBox middle = boxes[13];
-  for (unsigned faces = 1; faces < 64; ++faces) {
-    const SampleBox larger = merged(grid, boxes, middle, faces);
-    CHECK(is_in(middle, larger));
-    for (int face = 0; face < 6; ++face) {
-      const int axis = face / 2;
-      const bool grew = face % 2 == 0 ? larger.begin[axis] < middle.begin[axis]
-                                      : larger.end[axis] > middle.end[axis];
-      CHECK(grew == ((faces >> face & 1) != 0));
-    }
-  }
-  // A block that is larger already is taken whole.
-  const SampleBox row = merged(grid, boxes, boxes[0], 1u << 1);
-  std::erase_if(boxes, [&](const SampleBox& box) { return is_in(box, row); });
-  boxes.push_back(row);
-  const SampleBox both = merged(grid, boxes, middle, (1u << 2) | (1u << 4));
-  CHECK(is_in(row, both));
-  CHECK(is_in(middle, both));
-}
-
 TEST_CASE("components counted in blocks are those of the whole, in the same order") {
   std::size_t components = 0;
   for (std::uint64_t seed = 1; seed <= test::cases(100u); ++seed) {
@@ -138,21 +112,6 @@ TEST_CASE("facets of two boxes at a seam never cross, and any number of threads 
       CHECK(same_mesh(mesh_isosurface(volume, isovalue, options), mesh));
     }
   }
-}
-
-TEST_CASE("where a seam is refused a larger block is meshed, and the surface is whole") {
-  std::uint64_t larger = 0;
-  for (std::uint64_t seed = 1; seed <= test::cases(45u); ++seed) {
-    CAPTURE(seed);
-    const auto tiny = make_tiny_volume(seed, 8, 14);
-    Report report;
-    const TriMesh mesh = mesh_isosurface(tiny.volume, tiny.isovalue, in_blocks(4), report);
-    if (report[Counter::seams_refused] == 0) continue;
-    larger += report[Counter::seams_refused];
-    CHECK(mesh_topology(mesh).counts() == report.exact);
-    CHECK(check_mesh(mesh) == "");
-  }
-  CHECK(larger > 0);
 }
 
 TEST_CASE("seams cost few vertices, and hardly a triangle over a limit") {

@@ -10,6 +10,7 @@
 #include "deliso/options.h"
 #include "mesh/tri_mesh.h"
 #include "recover/certificate.h"
+#include "coarsen/contour_as_mesh.h"
 #include "stage1/first_sample.h"
 
 using namespace deliso;

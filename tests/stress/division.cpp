@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
   const auto seeds = parse_seeds(argc, argv, "stress_division", 63);
   if (!seeds) return 2;
   const auto [first, count, list] = *seeds;
-  std::uint64_t differing = 0, refused = 0, faulty = 0, close = 0, triangles = 0, merged = 0;
+  std::uint64_t differing = 0, refused = 0, faulty = 0, close = 0, triangles = 0, again_coarsened = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     TinyVolume tiny = make_tiny_volume(seed, 8, 20);
     if (seed / kTinyKinds % 4 == 1) tiny.volume = stretched(tiny.volume);
@@ -134,7 +134,7 @@ int main(int argc, char** argv) {
       close += is_close;
       faulty += !fault.empty();
       triangles += mesh.faces.size();
-      merged += report[Counter::seams_refused];
+      again_coarsened += report[Counter::coarsened_again];
       if (!test::same_mesh(mesh, again)) {
         ++differing;
         fault += " another mesh in other threads";
@@ -158,10 +158,10 @@ int main(int argc, char** argv) {
   std::printf(
       "%llu volumes: %llu with a fault, %llu nearly flat on itself, %llu refused, %llu another "
       "mesh in other threads; %llu "
-      "larger blocks for refused seams; %llu triangles\n",
+      "coarsened again; %llu triangles\n",
       static_cast<unsigned long long>(count), static_cast<unsigned long long>(faulty),
       static_cast<unsigned long long>(close), static_cast<unsigned long long>(refused),
-      static_cast<unsigned long long>(differing), static_cast<unsigned long long>(merged),
+      static_cast<unsigned long long>(differing), static_cast<unsigned long long>(again_coarsened),
       static_cast<unsigned long long>(triangles));
   return faulty + refused + differing > 0 || 2 * close > count;
 }

@@ -5,7 +5,7 @@
 
 #include "deliso/fields.h"
 #include "deliso/options.h"
-#include "stage1/first_sample.h"
+#include "coarsen/contour_as_mesh.h"
 
 using namespace deliso;
 
