@@ -20,6 +20,17 @@
 namespace deliso {
 namespace {
 
+// A mesh of a desired size is coarsened from one with at least the first of these times as many
+// vertices or triangles, and if possible no more than the second: from a finer one it would be
+// worse.
+constexpr double kLeastRatio = 1.3, kMostRatio = 2;
+
+// The first bound on the distance for such a mesh, in voxels, and the last ones, where it has too
+// many or too few vertices; and by how much a bound is changed at once.
+constexpr double kFirstDistanceVoxels = 0.05, kLargestDistanceVoxels = 2,
+                 kSmallestDistanceVoxels = 2e-3;
+constexpr double kLeastGrowth = 1.2, kMostGrowth = 3, kLeastFall = 0.25, kMostFall = 0.7;
+
 // Crossings are estimated from every so many rows of samples.
 constexpr int kRowStride = 4;
 
@@ -106,8 +117,11 @@ class BlockMesher {
 
   Block run() {
     if (blocks_.empty()) return {};
+    if (given_.has_target()) {
+      parameters_.refinement[Criterion::distance] = kFirstDistanceVoxels * given_.voxel;
+    }
     mesh_blocks();
-    if (given_.has_target()) refine_to_target();
+    if (given_.has_target()) meet_target();
     if (cells_.size() > 1) {
       begin_stage(given_.observer, "weld");
       for_each_task(options_.threads, blocks_.size(),
@@ -201,20 +215,27 @@ class BlockMesher {
     return count;
   }
 
-  // Refines all blocks by bounds on the distance that shrink, until they have enough vertices or
-  // triangles to be coarsened.
-  void refine_to_target() {
-    const double wanted = kFinerRatio * static_cast<double>(std::min(given_.target_triangles,
-                                                                     given_.target_vertices));
+  // Coarsens all blocks by bounds on the distance that grow, until they have not many more vertices
+  // or triangles than desired; then refines them, by bounds that shrink if they have too few.
+  void meet_target() {
+    const auto target =
+        static_cast<double>(std::min(given_.target_triangles, given_.target_vertices));
     double& bound = parameters_.refinement[Criterion::distance];
-    bound = kFirstDistanceVoxels * given_.voxel;
+    const double voxel = given_.voxel;
     for (;;) {
-      for_each_block([&](std::size_t n) { refine_block(run_, parameters_, blocks_[n]); });
-      const auto count = static_cast<double>(counted());
-      if (count >= wanted || bound <= kLastDistanceVoxels * given_.voxel) break;
-      // The number grows about as the inverse of the bound.
-      const double ratio = std::clamp(count / wanted, kLeastDistanceRatio, kMostDistanceRatio);
-      bound = std::max(ratio * bound, kLastDistanceVoxels * given_.voxel);
+      const double ratio = static_cast<double>(counted()) / target;
+      if (ratio <= kMostRatio || bound >= kLargestDistanceVoxels * voxel) break;
+      // The number falls slower than the bound grows.
+      bound = std::min(std::clamp(ratio, kLeastGrowth, kMostGrowth) * bound,
+                       kLargestDistanceVoxels * voxel);
+      for_each_block([&](std::size_t n) { coarsen_block(run_, blocks_[n]); });
+    }
+    for (;;) {
+      for_each_block([&](std::size_t n) { refine_block(run_, blocks_[n]); });
+      const double ratio = static_cast<double>(counted()) / target;
+      if (ratio >= kLeastRatio || bound <= kSmallestDistanceVoxels * voxel) break;
+      bound = std::max(std::clamp(ratio / kMostRatio, kLeastFall, kMostFall) * bound,
+                       kSmallestDistanceVoxels * voxel);
     }
   }
 
