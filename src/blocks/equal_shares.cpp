@@ -2,8 +2,12 @@
 #include "blocks/equal_shares.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "base/parallel.h"
 
@@ -21,7 +25,7 @@ constexpr int kRowsApart = 16, kRowsPerLayer = 11;
 // many crossed edges: thin sheets keep most of their vertices, and need most of the tests. Fitted
 // to 1,500 blocks of five scans: without it the heaviest block of TOOTH is estimated at a quarter
 // of its time. 20 and 40 give grids no better than 30.
-constexpr unsigned kThinWork = 30;
+constexpr int kThinWork = 30;
 
 // A seam costs as much as this share of the work in a layer of voxels there, and about that share
 // of vertices. 1 gives ENGINE twice as many blocks, and no more speed on 16 threads.
@@ -35,6 +39,27 @@ int rounded_up(int n) {
 }
 int rounded_down(int n) {
   return n / kCell * kCell;
+}
+
+using Row = std::vector<std::uint8_t>;
+
+// Sets twice the work at each sample of a row: each crossed edge counts at both its ends. `here`:
+// 1 for samples inside, also one before the row and one after it; `beside`: those next to it along
+// y and z. Written in bytes without a branch, as compilers turn that into vector instructions.
+void add_up(const std::uint8_t* here, const std::array<Row, 4>& beside, Row& twice_work) {
+  constexpr int kMostEnds = 6, kAxes = 3;
+  static_assert(kMostEnds + kAxes * 2 * kThinWork <= std::numeric_limits<std::uint8_t>::max());
+  const auto [y0, y1, z0, z1] =
+      std::array{beside[0].data(), beside[1].data(), beside[2].data(), beside[3].data()};
+  std::uint8_t* const to = twice_work.data();
+  const std::size_t size = twice_work.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::uint8_t s = here[i];
+    const int a = s ^ here[i - 1], b = s ^ here[i + 1], c = s ^ y0[i], d = s ^ y1[i], e = s ^ z0[i],
+              f = s ^ z1[i];
+    const int thin = (a & b) + (c & d) + (e & f);
+    to[i] = static_cast<std::uint8_t>(a + b + c + d + e + f + 2 * kThinWork * thin);
+  }
 }
 
 // The planes that cut an axis into some number of blocks.
@@ -129,11 +154,12 @@ void SurfaceWork::add_layer(const Volume& slab, const Sample* samples, Sample th
   const Index3 dims = slab.dims();
   const int layer = slab.first().k + k;
   const auto row_size = static_cast<std::size_t>(dims.i);
-  // Nonzero for samples inside, in the row and in those before and after it along y and z. Beyond
+  // 1 for samples inside, in the row and in those before and after it along y and z. Beyond
   // the volume are copies of its last samples: the surface crosses no edge there.
-  std::vector<std::uint8_t> row(row_size + 2);
-  std::array<std::vector<std::uint8_t>, 4> beside;
-  beside.fill(std::vector<std::uint8_t>(row_size));
+  Row row(row_size + 2);
+  std::array<Row, 4> beside;
+  beside.fill(Row(row_size));
+  Row twice_work(row_size);
   const auto read = [&](std::uint8_t* to, int j, int at_k) {
     const Sample* from =
         samples + slab.index(0, std::clamp(j, 0, dims.j - 1), std::clamp(at_k, 0, dims.k - 1));
@@ -147,23 +173,15 @@ void SurfaceWork::add_layer(const Volume& slab, const Sample* samples, Sample th
     read(beside[1].data(), j + 1, k);
     read(beside[2].data(), j, k - 1);
     read(beside[3].data(), j, k + 1);
-    const std::uint8_t* const here = row.data() + 1;
-    const auto [y0, y1, z0, z1] =
-        std::array{beside[0].data(), beside[1].data(), beside[2].data(), beside[3].data()};
+    add_up(row.data() + 1, beside, twice_work);
     for (int cell = 0; cell < cells_.i; ++cell) {
       const int begin = cell * kCellVoxels;
       const int end = cell + 1 == cells_.i ? dims.i : begin + kCellVoxels;
-      unsigned ends = 0, thin = 0;  // ends of crossed edges: two for each
-      for (int i = begin; i < end; ++i) {
-        const unsigned x[] = {unsigned(here[i] ^ here[i - 1]), unsigned(here[i] ^ here[i + 1])};
-        const unsigned y[] = {unsigned(here[i] ^ y0[i]), unsigned(here[i] ^ y1[i])};
-        const unsigned z[] = {unsigned(here[i] ^ z0[i]), unsigned(here[i] ^ z1[i])};
-        ends += x[0] + x[1] + y[0] + y[1] + z[0] + z[1];
-        thin += (x[0] & x[1]) + (y[0] & y[1]) + (z[0] & z[1]);
-      }
+      unsigned sum = 0;
+      for (int i = begin; i < end; ++i) sum += twice_work[i];
       const Index3 corner{cell + 1, std::min(j / kCellVoxels + 1, cells_.j),
                           std::min(layer / kCellVoxels + 1, cells_.k)};
-      sums_[at(corner)] += ends + 2 * kThinWork * thin;
+      sums_[at(corner)] += sum;
     }
   }
 }
