@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "blocks/equal_shares.h"
@@ -19,13 +18,14 @@ using test::same_mesh;
 
 namespace {
 
-// Cubes of four samples a side, inside and outside by turns, in the samples before `end`.
-Volume checkered(Index3 dims, Index3 end) {
+// Cubes of four samples a side, inside and outside by turns, in samples `begin` to `end`.
+Volume checkered(Index3 dims, Index3 end, Index3 begin = {0, 0, 0}) {
   std::vector<std::uint8_t> samples;
   for (int k = 0; k < dims.k; ++k) {
     for (int j = 0; j < dims.j; ++j) {
       for (int i = 0; i < dims.i; ++i) {
-        const bool is_within = i < end.i && j < end.j && k < end.k;
+        const bool is_within =
+            i >= begin.i && j >= begin.j && k >= begin.k && i < end.i && j < end.j && k < end.k;
         samples.push_back(is_within && (i / 4 + j / 4 + k / 4) % 2 == 0 ? 200 : 0);
       }
     }
@@ -50,15 +50,19 @@ std::vector<std::uint64_t> work_in_blocks(const SurfaceWork& work, const BlockGr
 }  // namespace
 
 TEST_CASE("planes ascend, and blocks have 24 samples to 128 voxels along each axis") {
-  const std::pair<Index3, Index3> cases[] = {
-      {{96, 96, 96}, {96, 96, 96}},                                 // as fine as it can be
-      {{200, 97, 71}, {40, 40, 40}},                                // all of it in one corner
-      {{257, 130, 49}, {257, 20, 49}}, {{300, 2, 2}, {300, 2, 2}},  // one voxel along two axes
-      {{513, 9, 23}, {100, 9, 23}},    {{60, 60, 60}, {0, 0, 0}},   // no surface
+  const Volume cases[] = {
+      checkered({96, 96, 96}, {96, 96, 96}),                   // as fine as it can be
+      checkered({200, 97, 71}, {40, 40, 40}),                  // all of it in one corner
+      checkered({201, 90, 60}, {201, 90, 60}, {150, 40, 30}),  // in the last one
+      checkered({257, 130, 49}, {257, 20, 49}),
+      checkered({300, 2, 2}, {300, 2, 2}),  // one voxel along two axes
+      checkered({513, 9, 23}, {100, 9, 23}),
+      checkered({60, 60, 60}, {0, 0, 0}),  // no surface
   };
-  for (const auto& [dims, end] : cases) {
+  for (const Volume& volume : cases) {
+    const Index3 dims = volume.dims();
     CAPTURE(dims.i);
-    const BlockGrid grid = grid_of(source_of(checkered(dims, end)));
+    const BlockGrid grid = grid_of(source_of(volume));
     for (int axis = 0; axis < 3; ++axis) {
       CAPTURE(axis);
       const std::vector<int>& planes = grid.planes[axis];
@@ -76,7 +80,13 @@ TEST_CASE("planes ascend, and blocks have 24 samples to 128 voxels along each ax
 
 TEST_CASE("a volume without a surface, or with a small one, has as few blocks as may be") {
   CHECK(grid_of(source_of(checkered({120, 120, 120}, {0, 0, 0}))).cells() == Index3{1, 1, 1});
-  CHECK(grid_of(source_of(checkered({200, 90, 90}, {24, 24, 24}))).cells() == Index3{2, 1, 1});
+  // A cube of 30 samples a side: 5400 crossed edges.
+  const Volume cube =
+      Volume::from_function({{0, 0, 0}, {60, 60, 60}}, {61, 61, 61}, [](const Vec3& p) {
+        const auto is_within = [](double x) { return 15 <= x && x < 45; };
+        return is_within(p.x) && is_within(p.y) && is_within(p.z) ? 200 : 0;
+      });
+  CHECK(grid_of(source_of(cube)).cells() == Index3{1, 1, 1});
 }
 
 TEST_CASE("blocks of a surface that is everywhere have equal shares") {
