@@ -21,17 +21,17 @@ constexpr int kSlabCells = 4;  // in a slab that is read
 // have all rows, and no regular pattern of the volume is missed or met each time.
 constexpr int kRowsApart = 16, kRowsPerLayer = 11;
 
-// A sample that is alone on its side along an axis, between two crossed edges, costs as much as so
-// many crossed edges: thin sheets keep most of their vertices, and need most of the tests. Fitted
-// to 1,500 blocks of five scans: without it the heaviest block of TOOTH is estimated at a quarter
-// of its time. 20 and 40 give grids no better than 30.
+// The work of a sample that is alone on its side along an axis: both its edges are crossed. Thin
+// sheets keep most of their vertices, and need most of the tests. A fit to the seconds of 1,600
+// blocks of five scans gives 37. Without it, TOOTH's heaviest block is estimated at a quarter of
+// its time. 20 and 40 give grids no better than 30.
 constexpr int kThinWork = 30;
 
-// A seam costs as much as this share of the work in a layer of voxels there, and about that share
-// of vertices. 1 gives ENGINE twice as many blocks, and no more speed on 16 threads.
+// Twice the work of a seam, in layers of voxels there: 1.5 layers. With 1 layer ENGINE has up to
+// twice as many blocks, more vertices, and as much speed on 16 threads.
 constexpr std::uint64_t kSeamLayersTwice = 3;
 
-// Smaller blocks take a hundredth of a second: nobody waits for them.
+// A block with so little work takes a fiftieth of a second: no thread waits for it.
 constexpr std::uint64_t kSmallWork = 8000;
 
 int rounded_up(int n) {
@@ -43,9 +43,9 @@ int rounded_down(int n) {
 
 using Row = std::vector<std::uint8_t>;
 
-// Sets twice the work at each sample of a row: each crossed edge counts at both its ends. `here`:
-// 1 for samples inside, also one before the row and one after it; `beside`: those next to it along
-// y and z. Written in bytes without a branch, as compilers turn that into vector instructions.
+// Sets twice the work at each sample of a row: each crossed edge counts at both its ends. `here` is
+// 1 for samples inside, also for one before the row and one after it. `beside`: those next to it
+// along y and z. Bytes without a branch become vector instructions.
 void add_up(const std::uint8_t* here, const std::array<Row, 4>& beside, Row& twice_work) {
   constexpr int kMostEnds = 6, kAxes = 3;
   static_assert(kMostEnds + kAxes * 2 * kThinWork <= std::numeric_limits<std::uint8_t>::max());
@@ -148,7 +148,7 @@ SurfaceWork::SurfaceWork(const VolumeSource& source, double isovalue, int thread
   sum_up();
 }
 
-// Adds what is in a layer of the slab to the cells.
+// Adds the work in a layer of the slab to the cells.
 template <class Sample>
 void SurfaceWork::add_layer(const Volume& slab, const Sample* samples, Sample threshold, int k) {
   const Index3 dims = slab.dims();

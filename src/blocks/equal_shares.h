@@ -12,8 +12,8 @@
 
 namespace deliso {
 
-// A block between planes at equal shares has at least so many samples and at most so many voxels
-// along each axis, unless the volume has fewer. In a shorter block seams (blocks/seams.h) meet.
+// Bounds of a block's sides, unless the volume has fewer samples. In a shorter block seams
+// (blocks/seams.h) meet.
 inline constexpr int kLeastBlockSamples = 24, kMostBlockVoxels = 128;
 
 // About how much work the surface is in boxes of a volume. The unit is the work of a grid edge that
