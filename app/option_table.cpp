@@ -227,7 +227,8 @@ constexpr OptionSpec kRest[] = {
     {"--max-vertices", 0, "N", kMeshAndTrace, "stop with an error beyond N vertices",
      [](Line& l, Text o, Text v) { l.options.max_vertices = parse_count(o, v, 4); }},
     {"--block-side", 0, "N", kAllMeshing,
-     "about how many voxels a block has along each axis (default 64, in large volumes up to 128); "
+     "blocks of about N voxels along each axis (default: of 24 to 128, by equal shares of the "
+     "surface); "
      "whole: the volume is one block",
      [](Line& l, Text o, Text v) {
        l.options.block_side =

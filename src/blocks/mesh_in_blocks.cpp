@@ -9,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "base/text.h"
+#include "blocks/equal_shares.h"
 #include "blocks/order.h"
 #include "blocks/seams.h"
 #include "blocks/weld.h"
@@ -30,6 +31,9 @@ constexpr double kLeastRatio = 1.3, kMostRatio = 2;
 constexpr double kFirstDistanceVoxels = 0.05, kLargestDistanceVoxels = 2,
                  kSmallestDistanceVoxels = 2e-3;
 constexpr double kLeastGrowth = 1.2, kMostGrowth = 3, kLeastFall = 0.25, kMostFall = 0.7;
+
+// Along each axis, of volumes whose samples decide the grid.
+constexpr int kMostFollowedVoxels = 512;
 
 // Crossings are estimated from every so many rows of samples.
 constexpr int kRowStride = 4;
@@ -53,9 +57,11 @@ std::size_t weight_of(const Volume& volume, double kappa, const SampleBox& box) 
   });
 }
 
-BlockGrid grid_for(const Options& options, const Parameters& parameters, const Volume& shape) {
+BlockGrid grid_for(const Options& options, const Parameters& parameters, const VolumeSource& source,
+                   double kappa) {
   // Who follows insertions sees them in one order.
-  return follower(parameters.observer) ? BlockGrid(shape, 0) : block_grid(shape, options);
+  return follower(parameters.observer) ? BlockGrid(source.shape, 0)
+                                       : block_grid(source, kappa, options);
 }
 
 Parameters in_block(const Parameters& given, bool is_divided) {
@@ -104,7 +110,7 @@ class BlockMesher {
               Report& report)
       : options_(options),
         given_(parameters),
-        grid_(grid_for(options, parameters, source.shape)),
+        grid_(grid_for(options, parameters, source, kappa)),
         cells_(grid_.boxes()),
         part_(part),
         own_(cells_of(part, cells_.size())),
@@ -254,6 +260,17 @@ class BlockMesher {
 
 }  // namespace
 
+bool grid_follows_surface(const Volume& shape, const Options& options) {
+  const Index3 voxels = shape.voxels();
+  return options.block_side == Options::kUsualSide &&
+         std::max({voxels.i, voxels.j, voxels.k}) <= kMostFollowedVoxels;
+}
+
+BlockGrid block_grid(const VolumeSource& source, double isovalue, const Options& options) {
+  if (!grid_follows_surface(source.shape, options)) return block_grid(source.shape, options);
+  return BlockGrid(planes_at_equal_shares(SurfaceWork(source, isovalue, options.threads)));
+}
+
 BlockGrid block_grid(const Volume& shape, const Options& options) {
   const bool is_usual = options.block_side == Options::kUsualSide;
   return BlockGrid(shape, is_usual ? usual_block_side(shape) : options.block_side);
@@ -267,7 +284,7 @@ Block mesh_in_blocks(const VolumeSource& source, double kappa, const Options& op
 
 Block join_parts(const VolumeSource& source, double kappa, const Options& options,
                  const Parameters& parameters, std::vector<Block> parts, Report& report) {
-  const BlockGrid grid = grid_for(options, parameters, source.shape);
+  const BlockGrid grid = grid_for(options, parameters, source, kappa);
   const Parameters in_blocks = in_block(parameters, true);
   const BlockRun run{source, kappa, options, in_blocks, grid};
   const std::size_t cells = grid.boxes().size();
