@@ -34,20 +34,20 @@ PatchAt::PatchAt(const Isosurface& surface, const Vec3& p)
   slope_ = patch_.gradient(u_);
 }
 
-double PatchAt::distance_along(const Vec3& direction, double limit,
-                               SearchCounters& counters) const {
+double PatchAt::parameter_along(const Vec3& direction, double limit,
+                                SearchCounters& counters) const {
   constexpr double kBeyond = std::numeric_limits<double>::infinity();
   const double size = length(direction);
   if (!(size > 0) || !std::isfinite(size)) return kBeyond;
   const Vec3 unit = direction / size;
-  if (const auto d = distance_within(unit)) return *d <= limit ? *d : kBeyond;
+  if (const auto t = parameter_within(unit)) return std::fabs(*t) <= limit ? *t : kBeyond;
   const auto hit = surface_.nearest(p_, unit, limit, counters);
-  return hit ? std::fabs(hit->t) : kBeyond;
+  return hit ? hit->t : kBeyond;
 }
 
 // Returns nothing unless the voxel holds all points of the line that are as near as the one of
 // Sigma, and the cubic is monotone on them: then there is just that one.
-std::optional<double> PatchAt::distance_within(const Vec3& direction) const {
+std::optional<double> PatchAt::parameter_within(const Vec3& direction) const {
   const Vec3 w = times(direction, per_spacing_);
   const TrilinearPatch::Cubic f = patch_.along(u_, value_, slope_, w);
   double t = -f.c0 / f.c1;
@@ -60,7 +60,7 @@ std::optional<double> PatchAt::distance_within(const Vec3& direction) const {
     }
     const double step = f.at(t) / f.slope(t);
     t -= step;
-    if (std::fabs(step) <= kLastStep * d) return std::fabs(t);
+    if (std::fabs(step) <= kLastStep * d) return t;
   }
   return std::nullopt;
 }
