@@ -27,8 +27,7 @@ enum class Kind : std::uint8_t { no_facet, facet, restricted };
 class Balls {
  public:
   Balls(const CleanMesh& mesh, const Triangle& t, const VertexGrids& grids, std::size_t& looked_at)
-      : mesh_(mesh),
-        triangle_(t),
+      : triangle_(t),
         a_(mesh.points[t[0]]),
         b_(mesh.points[t[1]]),
         c_(mesh.points[t[2]]),
@@ -47,9 +46,9 @@ class Balls {
     const double radius2 = line_.radius * line_.radius + t * t;
     const double beyond2 = (1 + kBallRounding) * radius2;
     bool empty = true;
-    grids_.for_each_near(middle, std::sqrt(beyond2), looked_at_, [&](VertexId v) {
-      if (distance2(mesh_.points[v], middle) < beyond2 && !has_corner(triangle_, v)) {
-        empty &= !close(mesh_.points[v], t);
+    grids_.for_each_near(middle, std::sqrt(beyond2), looked_at_, [&](const NumberedPoint& p) {
+      if (distance2(p.at, middle) < beyond2 && !has_corner(triangle_, VertexId(p.number))) {
+        empty &= !close(p.at, t);
       }
       return !open_.empty();
     });
@@ -76,7 +75,6 @@ class Balls {
     return true;
   }
 
-  const CleanMesh& mesh_;
   const Triangle& triangle_;
   const Vec3 &a_, &b_, &c_;
   const VertexGrids& grids_;
