@@ -97,7 +97,9 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
     looks.emplace_back([&] {
       const std::vector<Triangle> triangles = surface.triangles();
       const TriangleTree tree(surface.points, triangles, options.threads);
-      run.close = find_close_places(surface.points, triangles, tree, volume, options.threads);
+      run.close =
+          find_close_places(surface.points, triangles, edge_uses(surface.points.size(), triangles),
+                            tree, volume, options.threads);
     });
   }
   if (reported && options.cap) {

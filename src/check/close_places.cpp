@@ -8,7 +8,6 @@
 #include "base/elementary.h"
 #include "base/parallel.h"
 #include "base/triangle.h"
-#include "mesh/incidence.h"
 
 namespace deliso {
 namespace {
@@ -50,9 +49,9 @@ class ClosePlaceSearch {
     }
   }
 
-  ClosePlaces run() {
+  ClosePlaces run(std::span<const EdgeUse> uses) {
     find_needles();
-    find_folds();
+    find_folds(uses);
     find_near();
     return std::move(found_);
   }
@@ -76,9 +75,9 @@ class ClosePlaceSearch {
     }
   }
 
-  void find_folds() {
+  void find_folds(std::span<const EdgeUse> uses) {
     const double most = -cosine(kLeastFold * kDegree);
-    for_each_edge(edge_uses(points_.size(), triangles_), [&](std::span<const EdgeUse> edge) {
+    for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
       if (edge.size() != 2 || edge[0].forward == edge[1].forward) return true;
       const FaceId f = edge[0].triangle, g = edge[1].triangle;
       if (is_needle_[f] || is_needle_[g]) return true;
@@ -148,8 +147,9 @@ double near_distance(const Volume& volume) {
 }
 
 ClosePlaces find_close_places(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
-                              const TriangleTree& tree, const Volume& volume, int threads) {
-  return ClosePlaceSearch(points, triangles, tree, volume, threads).run();
+                              std::span<const EdgeUse> uses, const TriangleTree& tree,
+                              const Volume& volume, int threads) {
+  return ClosePlaceSearch(points, triangles, tree, volume, threads).run(uses);
 }
 
 }  // namespace deliso

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "check/triangle_tree.h"
+#include "mesh/incidence.h"
 #include "mesh/tri_mesh.h"
 #include "volume/volume.h"
 
@@ -39,8 +40,9 @@ struct ClosePlaces {
 // Finds these places. A fold that the surface has too is none: there both triangles face the side
 // that the gradient of `volume` says. One place is found once: needles are in no fold, and corners
 // of needles and folds are no near vertices. The result is the same for any number of threads.
-// pre: the tree is that of these triangles; none is degenerate.
+// pre: the uses of edges and the tree are those of these triangles; none is degenerate.
 ClosePlaces find_close_places(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
-                              const TriangleTree& tree, const Volume& volume, int threads = 1);
+                              std::span<const EdgeUse> uses, const TriangleTree& tree,
+                              const Volume& volume, int threads = 1);
 
 }  // namespace deliso

@@ -30,7 +30,7 @@ class PatchAt {
   }
 
  private:
-  std::optional<double> parameter_within(const Vec3& direction) const;
+  std::optional<double> parameter_within(const Vec3& direction, double limit) const;
 
   const Isosurface& surface_;
   Vec3 p_;

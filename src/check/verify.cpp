@@ -81,7 +81,8 @@ Pairs report_self_intersections(const TriMesh& mesh, const CleanMesh& clean,
 
 void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const TriangleTree& tree,
                          const Volume& volume, int threads, Faults& faults) {
-  const ClosePlaces found = find_close_places(clean.points, clean.triangles, tree, volume, threads);
+  const ClosePlaces found =
+      find_close_places(clean.points, clean.triangles, clean.uses, tree, volume, threads);
   const auto named = [&](FaceId f) { return name_of_triangle(mesh, clean.id[f]); };
   const auto middle = [&](FaceId f) { return middle_of(mesh, clean.id[f]); };
   for (const FaceId f : found.needles) {
@@ -236,10 +237,9 @@ void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<double>
     const auto is_on_surface = [&](VertexId v) { return on_surface[v] != 0; };
     if (off[n] <= voxel || !std::ranges::all_of(t, is_on_surface)) continue;
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-    SearchCounters counters;
     FacetShape shape = measure(a, b, c, a);
     shape.h = 0;
-    for (const Measure& m : measure_triangle(a, b, c, surface, limit, voxel, counters)) {
+    for (const Measure& m : measure_triangle(a, b, c, surface, limit, voxel)) {
       if (m.distance <= std::max(voxel, shape.h)) continue;
       shape.h = std::max(shape.h, sharper_distance(m, contour, voxels, surface));
     }
