@@ -46,7 +46,8 @@ class Balls {
     const double radius2 = line_.radius * line_.radius + t * t;
     const double beyond2 = (1 + kBallRounding) * radius2;
     bool empty = true;
-    grids_.for_each_near(middle, std::sqrt(beyond2), looked_at_, [&](const NumberedPoint& p) {
+    const Box3 box = Box3{middle, middle}.grown(std::sqrt(beyond2));
+    grids_.for_each_near(box, looked_at_, [&](const NumberedPoint& p) {
       if (distance2(p.at, middle) < beyond2 && !has_corner(triangle_, VertexId(p.number))) {
         empty &= !close(p.at, t);
       }
@@ -142,9 +143,9 @@ class Look {
 
 }  // namespace
 
-DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const Isosurface& surface,
-                                     std::vector<double>& heights, int threads) {
-  const VertexGrids grids(mesh);
+DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const VertexGrids& grids,
+                                     const Isosurface& surface, std::vector<double>& heights,
+                                     int threads) {
   const std::size_t triangles = mesh.triangles.size();
   std::vector<Kind> kinds(triangles);
   heights.resize(triangles);

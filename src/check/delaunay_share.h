@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "check/validity.h"
+#include "check/vertex_grids.h"
 #include "isosurface/isosurface.h"
 
 namespace deliso {
@@ -42,8 +43,10 @@ inline constexpr double kBallLimitRadii = 4;
 inline constexpr std::size_t kMaxVerticesPerTriangle = 1u << 12;
 
 // Measures the share. `heights` receives h of each triangle, from the circumcenter to the surface
-// ball's center; infinite without a ball. The result is the same for any number of threads.
-DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const Isosurface& surface,
-                                     std::vector<double>& heights, int threads = 1);
+// ball's center; infinite without a ball. The result is the same for any number of threads. pre:
+// the grids are those of the mesh.
+DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const VertexGrids& grids,
+                                     const Isosurface& surface, std::vector<double>& heights,
+                                     int threads = 1);
 
 }  // namespace deliso

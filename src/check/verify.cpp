@@ -79,10 +79,10 @@ Pairs report_self_intersections(const TriMesh& mesh, const CleanMesh& clean,
   return std::move(found.pairs);
 }
 
-void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const TriangleTree& tree,
+void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const VertexGrids& grids,
                          const Volume& volume, int threads, Faults& faults) {
   const ClosePlaces found =
-      find_close_places(clean.points, clean.triangles, clean.uses, tree, volume, threads);
+      find_close_places(clean.points, clean.triangles, clean.uses, grids, volume, threads);
   const auto named = [&](FaceId f) { return name_of_triangle(mesh, clean.id[f]); };
   const auto middle = [&](FaceId f) { return middle_of(mesh, clean.id[f]); };
   for (const FaceId f : found.needles) {
@@ -103,16 +103,19 @@ void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const Tria
     faults.add(
         FaultKind::near_vertices,
         [&] {
-          return text("vertex ", v, " is ", std::sqrt(tree.distance2(f, p)) / volume.voxel(),
-                      " voxels from ", named(f));
+          const auto& [a, b, c] = clean.triangles[f];
+          const double d2 =
+              distance2_to_triangle(p, clean.points[a], clean.points[b], clean.points[c]);
+          return text("vertex ", v, " is ", std::sqrt(d2) / volume.voxel(), " voxels from ",
+                      named(f));
         },
         p);
   }
   if (found.given_up > 0) {
-    faults.add(FaultKind::not_measured,
-               text("what is near to ", found.given_up,
-                    " vertices: too many triangles lie across each other"),
-               clean.points[clean.triangles[0][0]]);
+    faults.add(
+        FaultKind::not_measured,
+        text("what is near to ", found.given_up, " triangles: too many vertices lie around them"),
+        clean.points[clean.triangles[0][0]]);
   }
 }
 
@@ -442,7 +445,8 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
     result.quality = measure_quality(mesh, options.limits[Criterion::r_over_l], r_min);
   }
   const TriangleTree& tree = surface_tree ? *surface_tree : whole_tree;
-  report_close_places(mesh, clean, tree, volume, threads, faults);
+  const VertexGrids grids(clean.points, clean.triangles);
+  report_close_places(mesh, clean, grids, volume, threads, faults);
   result.seconds_validity += watch.restart();
   report_progress(0.3);
   std::vector<double> off;
@@ -458,7 +462,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.seconds_distances += watch.restart();
   report_progress(0.8);
   std::vector<double> heights;
-  result.delaunay = measure_delaunay_share(clean, surface, heights, threads);
+  result.delaunay = measure_delaunay_share(clean, grids, surface, heights, threads);
   check_share(mesh, clean, options.restricted_share, result);
   if (options.triangulate) {
     result.voronoi = count_voronoi_edges(clean, MeshTriangulation(clean, volume.box()), surface,

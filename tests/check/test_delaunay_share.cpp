@@ -21,7 +21,8 @@ CleanMesh clean(const TriMesh& mesh, const Volume& volume) {
 
 DelaunayShare by_balls(const CleanMesh& mesh, const Scene& scene, int threads = 1) {
   std::vector<double> heights;
-  return measure_delaunay_share(mesh, scene.surface, heights, threads);
+  return measure_delaunay_share(mesh, VertexGrids(mesh.points, mesh.triangles), scene.surface,
+                                heights, threads);
 }
 
 VoronoiEdges by_triangulation(const CleanMesh& mesh, const Scene& scene) {

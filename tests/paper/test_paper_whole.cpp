@@ -30,8 +30,8 @@ DelaunayShare check_whole(const Field& field, const TriMesh& mesh, const Report&
   Faults faults;
   const CleanMesh clean = check_validity(mesh, volume.box(), 0, MayEnd::on_box, faults);
   std::vector<double> heights;
-  const DelaunayShare share =
-      measure_delaunay_share(clean, Isosurface(volume, report.kappa), heights);
+  const DelaunayShare share = measure_delaunay_share(
+      clean, VertexGrids(clean.points, clean.triangles), Isosurface(volume, report.kappa), heights);
   REQUIRE(share.measured);
   CHECK(share.share() >= 0.999);
   return share;
