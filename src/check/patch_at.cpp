@@ -13,8 +13,8 @@ constexpr double kLastStep = 1e-7;      // of the distance; the next step is its
 constexpr double kRoundingRoom = 1e-9;  // more than the rounding of a distance, relative
 constexpr double kBeyond = std::numeric_limits<double>::infinity();
 
-Corners corners_above(const Isosurface& surface, const Vec3& p) {
-  Corners c = surface.volume().corners(surface.volume().voxel_at(p));
+Corners corners_above(const Isosurface& surface, Index3 voxel) {
+  Corners c = surface.volume().corners(voxel);
   for (double& value : c) value -= surface.kappa();
   return c;
 }
@@ -22,9 +22,11 @@ Corners corners_above(const Isosurface& surface, const Vec3& p) {
 }  // namespace
 
 PatchAt::PatchAt(const Isosurface& surface, const Vec3& p)
-    : surface_(surface), p_(p), patch_(corners_above(surface, p)) {
+    : PatchAt(surface, p, surface.volume().voxel_at(p)) {}
+
+PatchAt::PatchAt(const Isosurface& surface, const Vec3& p, Index3 voxel)
+    : surface_(surface), p_(p), patch_(corners_above(surface, voxel)) {
   const Volume& volume = surface.volume();
-  const Index3 voxel = volume.voxel_at(p);
   for (int axis = 0; axis < 3; ++axis) {
     per_spacing_[axis] = 1 / volume.spacing()[axis];
     u_[axis] = volume.in_samples(p, axis) - voxel[axis];

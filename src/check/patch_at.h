@@ -30,6 +30,7 @@ class PatchAt {
   }
 
  private:
+  PatchAt(const Isosurface& surface, const Vec3& p, Index3 voxel);  // which holds p
   std::optional<double> parameter_within(const Vec3& direction, double limit) const;
 
   const Isosurface& surface_;

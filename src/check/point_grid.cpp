@@ -8,7 +8,7 @@ namespace deliso {
 
 PointGrid::PointGrid(std::span<const NumberedPoint> points, double side)
     : side_(std::clamp(side, 1e-150, 1e150)), per_side_(1 / side_), points_(points.size()) {
-  const std::size_t lists = std::bit_ceil(points.size());
+  const std::size_t lists = std::bit_ceil(2 * points.size());
   mask_ = static_cast<std::uint32_t>(lists - 1);
   // A counting sort: begin_[n + 1] advances from the first point of list n to the first of the
   // next.

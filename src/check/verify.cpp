@@ -445,30 +445,33 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
     result.quality = measure_quality(mesh, options.limits[Criterion::r_over_l], r_min);
   }
   const TriangleTree& tree = surface_tree ? *surface_tree : whole_tree;
-  const VertexGrids grids(clean.points, clean.triangles);
-  report_close_places(mesh, clean, grids, volume, threads, faults);
-  result.seconds_validity += watch.restart();
-  report_progress(0.3);
+  std::vector<double> heights;
+  {
+    const VertexGrids grids(clean.points, clean.triangles);
+    report_close_places(mesh, clean, grids, volume, threads, faults);
+    result.seconds_validity += watch.restart();
+    report_progress(0.3);
+    result.delaunay = measure_delaunay_share(clean, grids, surface, heights, threads);
+    result.seconds_delaunay = watch.restart();
+  }
+  report_progress(0.4);
   std::vector<double> off;
   result.to_surface =
       distances_to_surface(clean, surface, search_limit(volume), {bound, r_min}, threads, &off);
   result.seconds_distances = watch.restart();
-  report_progress(0.5);
+  report_progress(0.6);
   const OfContour contour = compare_topology(clean, tree, off, surface, options, result);
   result.seconds_topology = watch.restart();
-  report_progress(0.7);
+  report_progress(0.8);
   result.from_surface = distances_from_surface(contour.samples, clean, tree,
                                                {kFromSurfaceFactor * bound, r_min}, threads);
   result.seconds_distances += watch.restart();
-  report_progress(0.8);
-  std::vector<double> heights;
-  result.delaunay = measure_delaunay_share(clean, grids, surface, heights, threads);
   check_share(mesh, clean, options.restricted_share, result);
   if (options.triangulate) {
     result.voronoi = count_voronoi_edges(clean, MeshTriangulation(clean, volume.box()), surface,
                                          *contour.free, threads);
   }
-  result.seconds_delaunay = watch.restart();
+  result.seconds_delaunay += watch.restart();
   if (result.from_surface.given_up > 0) {
     faults.add(FaultKind::not_measured,
                text("distances of ", result.from_surface.given_up,
