@@ -111,8 +111,8 @@ class ClosePlaceSearch {
     }
     std::ranges::sort(found_.near);
     const auto of_one_vertex = [](const auto& s, const auto& t) { return s.first == t.first; };
-    const auto again = std::ranges::unique(found_.near, of_one_vertex);
-    found_.near.erase(again.begin(), again.end());
+    const auto end = std::unique(found_.near.begin(), found_.near.end(), of_one_vertex);
+    found_.near.erase(end, found_.near.end());
   }
   const std::vector<Vec3>& points_;
   std::span<const Triangle> triangles_;
