@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A hash of points by place. Cells are numbered from the origin along each axis. Those of a row are
 // adjacent in one table, into which all cells are wrapped: what is found may be of other cells too.
+// Unlike BoxGrid, whose boxes come and go, it counts its work: a hostile mesh could make that
+// unbounded.
 #pragma once
 
 #include <algorithm>
