@@ -124,6 +124,10 @@ constexpr OptionSpec kInputAndOutput[] = {
      "exit 1 unless this share of the triangles is restricted Delaunay; of mesh together with "
      "--check (default: the share is reported)",
      [](Line& l, Text o, Text v) { l.restricted_share = v == "0" ? 0 : parse_share(o, v); }},
+    {"--triangulate", 0, "", kCheckOnly,
+     "also triangulate the vertices, which takes as long as all else: restricted Delaunay facets "
+     "that the mesh lacks, and Voronoi edges that meet the surface twice",
+     [](Line& l, Text, Text) { l.triangulate = true; }},
     {"--allow-empty", 0, "", kMeshAndJoin, "an isovalue that gives no surface is no error",
      [](Line& l, Text, Text) { l.allow_empty = true; }},
     {"--roi", 0, "X0:X1,Y0:Y1,Z0:Z1", kVolume,

@@ -446,6 +446,8 @@ TEST_CASE("check takes a mesh and a volume, info and built-in fields need no iso
   CHECK(line.meshes == std::vector<std::string>{"a.ply"});
   CHECK(line.input == "b.nrrd");
   CHECK(line.restricted_share == 0.5);
+  CHECK_FALSE(line.triangulate);
+  CHECK(parsed("check a.ply b.nrrd --iso 3 --triangulate").triangulate);
   CHECK(parsed("check a.ply b.nrrd --iso 3").restricted_share == 0);
   CHECK(parsed("info a.nrrd").command == Command::info);
   CHECK_FALSE(parsed("info a.nrrd").isovalue.has_value());

@@ -68,7 +68,8 @@ std::vector<JsonValue> all_reports() {
   for (const std::string& line :
        {field + " --check -o " + mesh, field + " --cap --check", field + " --vertices 300",
         field + " --paper", field + " --max-radius 3 --eps1 0.2", field + " --stop-after recover",
-        field + " --iso 1e9 --allow-empty --check", "check " + mesh + " " + field,
+        field + " --iso 1e9 --allow-empty --check",
+        "check " + mesh + " " + field + " --triangulate",
         "check " + mesh + " " + field + " --cap",  // it has holes
         "check " + bad + " " + field, "info " + field, "info " + field + " --iso 0.3",
         "info " + mask, mask + " --label 120,121,200 --smooth 2",

@@ -368,10 +368,8 @@ TEST_CASE("r_min allows points within r_min of a triangle no larger than r_min")
         if (d > most) ++(d <= r_min && r <= r_min ? below : above);
       };
       for (const Face& face : good.mesh.faces) {
-        SearchCounters counters;
-        for (const Measure& m :
-             measure_triangle(points[face.v[0]], points[face.v[1]], points[face.v[2]], surface,
-                              limit, bound, counters)) {
+        for (const Measure& m : measure_triangle(points[face.v[0]], points[face.v[1]],
+                                                 points[face.v[2]], surface, limit, bound)) {
           count(m.distance, radius(face.v), bound);
         }
       }
