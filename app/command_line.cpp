@@ -292,6 +292,8 @@ constexpr Exclusion kExclusions[] = {
     {"--float", "--double", ""},
     {"--vertices", "--triangles --max-distance --stop-after --max-vertices", ""},
     {"--triangles", "--max-distance --stop-after --max-vertices", ""},
+    {"--certified", "--eps --keep-hits --single-stage",
+     ": its first stage searches no Voronoi edge"},
     {"--shared", "--cap --check --json --vertices --triangles --attributes --largest", ""},
     {"--shared", "--min-component --max-vertices --stop-after --block-side", ""},
     {"--part", "--vertices --triangles", ""},
@@ -299,7 +301,7 @@ constexpr Exclusion kExclusions[] = {
      ": give it to deliso join"}};
 
 // The options that the published program alone has, and those that it has not.
-constexpr std::string_view kOnlyPaper[] = {"--eps",       "--eps2",         "--lines",
+constexpr std::string_view kOnlyPaper[] = {"--certified", "--eps",          "--eps2",  "--lines",
                                            "--keep-hits", "--single-stage", "--solver"};
 constexpr std::string_view kNeverPaper[] = {
     "--vertices", "--triangles", "--max-distance", "--max-radius", "--min-component", "--largest",

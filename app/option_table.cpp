@@ -193,6 +193,10 @@ constexpr OptionSpec kRest[] = {
      "--max-distance; it can lose what no Voronoi edge meets, and need not end",
      [](Line& l, Text, Text) { l.paper = true; },
      "hold the mesh against the paper's criteria, whatever its file says"},
+    {"--certified", 0, "", kMeshAndTrace,
+     "with --paper: the first stage ends when a certificate says that the topology is exact, in "
+     "place of the paper's tests",
+     [](Line& l, Text, Text) { l.certified = true; }},
     {"--eps", 0, "X", kMeshAndTrace, "with --paper: largest h/r in Recover (default 0.2)",
      [](Line& l, Text o, Text v) { l.published.epsilon = parse_positive(o, v); }},
     {"--eps2", 0, "X", kMeshAndTrace,

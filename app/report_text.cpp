@@ -181,6 +181,12 @@ std::string report_text(const MeshRun& run) {
   if (!run.line.output.empty()) lines += " -> " + one_line(run.line.output);
   lines += text("\n          ", topology_text(run.mesh), "\n");
   if (count_stop(run) != CountStop::none) lines += text("count     ", count_text(run), "\n");
+  if (run.line.certified) {
+    const paper::Report& p = run.published;
+    lines += text("certified ", grouped(report.points_recovered - p.uncertified_sites), " of ",
+                  counted(report.points_recovered, "site"), ", of ",
+                  counted(p.contour_vertices, "vertex", "vertices"), " of the contour\n");
+  }
   if (run.line.paper) {
     lines += text("found     ", grouped(run.mesh.components), " of ",
                   counted(report.exact.components, "component"), "\n");

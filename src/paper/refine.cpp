@@ -29,7 +29,9 @@ class Refinement {
   const Vec3& at(FaceId f, std::size_t i) const { return mesh_.points[mesh_.faces[f].v[i]]; }
   // 0 up to r_min.
   Violation violation(FaceId f) const;
-  SurfaceMesh::Dual dual(FaceId f);
+  SurfaceMesh::Dual dual(FaceId f) {
+    return find_dual(at(f, 0), at(f, 1), at(f, 2), sigma_, report_.searches_refine);
+  }
   bool is_encroached(FaceId f, const Vec3& p) const {
     constexpr double kInside = 1 - 2e-9;  // by more than rounding
     const Vec3& x = t_.duals[f].x;
@@ -57,12 +59,6 @@ Violation Refinement::violation(FaceId f) const {
   double pole = 0;
   for (const VertexId v : mesh_.faces[f].v) pole += t_.poles[v] / 3;
   return paper::violation(m, options_.epsilon1, pole, options_);
-}
-
-SurfaceMesh::Dual Refinement::dual(FaceId f) {
-  const FacetLine line = facet_line(at(f, 0), at(f, 1), at(f, 2));
-  const auto hit = sigma_.nearest(line.center, line.normal, line.radius, report_.searches_refine);
-  return {hit ? hit->point : line.center, hit.has_value()};
 }
 
 void Refinement::find_encroached(FaceId sigma, const Vec3& p) {
@@ -177,6 +173,13 @@ void turn_as_neighbors(std::vector<Triangle>& facets, const std::vector<std::uin
 }
 
 }  // namespace
+
+SurfaceMesh::Dual find_dual(const Vec3& a, const Vec3& b, const Vec3& c, const Sigma& sigma,
+                            SearchCounters& counters) {
+  const FacetLine line = facet_line(a, b, c);
+  const auto hit = sigma.nearest(line.center, line.normal, line.radius, counters);
+  return {hit ? hit->point : line.center, hit.has_value()};
+}
 
 SurfaceMesh build_tri_mesh(const RestrictedDelaunay& del, const std::vector<double>& poles) {
   const Triangulation& t = del.del();

@@ -29,6 +29,11 @@ struct SurfaceMesh {
   IdArray<VertexId, double> poles;  // pole heights; empty: not known
 };
 
+// Returns where the dual line of the facet a, b, c meets Sigma nearest to the circumcenter, no
+// further than r.
+SurfaceMesh::Dual find_dual(const Vec3& a, const Vec3& b, const Vec3& c, const Sigma& sigma,
+                            SearchCounters& counters);
+
 // Returns Del S_1|Sigma as a mesh. A facet is turned by the passage of its Voronoi edge, which
 // leaves Sigma's inside at x; one with several hits as its neighbors are. `poles`: of every site,
 // or none.

@@ -181,8 +181,11 @@ void CertifiedRecovery::certify_sites() {
     }
     site.is_uncertified = false;
     if (verdict.is_fine()) continue;
-    const Reason reason = verdict.violation.value_or(Reason::protrusion);
-    if (follower_) follower_->site_asked(reason, s, verdict.insert);
+    if (follower_ && verdict.violation) {
+      follower_->site_asked(*verdict.violation, s, verdict.insert);
+    } else if (follower_) {
+      follower_->site_asked(Reason::protrusion, s, verdict.insert);
+    }
     if (verdict.insert != kNoId && add_site(verdict.insert)) {
       queue_site(s);
     } else if (verdict.violation) {
