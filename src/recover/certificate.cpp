@@ -80,6 +80,7 @@ Certificate::Region Certificate::count_region(SiteId a, VertexId at,
 }
 
 Verdict Certificate::check(SiteId a, VertexId at, std::vector<DualFacet>& facets) {
+  using paper::Reason;
   const Region r = count_region(a, at, facets);
   const std::span<const VertexId> all = labels_.region(a);
   const ContourMesh& contour = labels_.contour();
@@ -92,17 +93,16 @@ Verdict Certificate::check(SiteId a, VertexId at, std::vector<DualFacet>& facets
   };
   // C1
   if (r.V != static_cast<long>(all.size())) {
-    return {paper::Reason::region, furthest_if([&](VertexId v) { return visited_[v] != checks_; })};
+    return {Reason::region, furthest_if([&](VertexId v) { return visited_[v] != checks_; })};
   }
-  if (r.V - r.E + r.F != 1) return {paper::Reason::region, labels_.furthest(all)};
+  if (r.V - r.E + r.F != 1) return {Reason::region, labels_.furthest(all)};
   // C4
   if (r.boundary_V > 0 && (!contour.on_boundary(at) || r.boundary_V - r.boundary_E != 1)) {
-    return {paper::Reason::boundary,
-            furthest_if([&](VertexId v) { return contour.on_boundary(v); })};
+    return {Reason::boundary, furthest_if([&](VertexId v) { return contour.on_boundary(v); })};
   }
   for (const Interface& i : interfaces_) {
-    if (i.boundary_E > 1) return {paper::Reason::boundary, furthest_between(a, i.site)};  // C4
-    if (i.E - i.F != 1) return {paper::Reason::interface, furthest_between(a, i.site)};   // C2
+    if (i.boundary_E > 1) return {Reason::boundary, furthest_between(a, i.site)};  // C4
+    if (i.E - i.F != 1) return {Reason::interface, furthest_between(a, i.site)};   // C2
   }
   // C3
   for (std::size_t i = 0; i < facets.size(); ++i) {
@@ -110,7 +110,7 @@ Verdict Certificate::check(SiteId a, VertexId at, std::vector<DualFacet>& facets
       const auto &s = facets[i].sites, &t = facets[j].sites;
       const bool same = (s[1] == t[1] && s[2] == t[2]) || (s[1] == t[2] && s[2] == t[1]);
       if (!same) continue;
-      return {paper::Reason::triple,
+      return {Reason::triple,
               labels_.furthest(facets[j].t_triangle, labels_.furthest(facets[i].t_triangle))};
     }
   }

@@ -81,6 +81,12 @@ std::string difference(const TriMesh& mesh, const ContourMesh& t) {
   return std::ranges::count(seen, 1) == std::ssize(seen) ? "" : "a component is missing";
 }
 
+double volume_of(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
+  double six = 0;
+  for (const Triangle& t : triangles) six += dot(points[t[0]], cross(points[t[1]], points[t[2]]));
+  return six / 6;
+}
+
 // What the certificate says at the end of Stage 1, of all sites anew.
 class Judge : public paper::Observer {
  public:
@@ -109,10 +115,11 @@ class Judge : public paper::Observer {
 
 TEST_CASE("what is handed over, and what becomes of it, is like T component by component") {
   std::map<paper::Reason, int> asked;
-  for (const char* name : {"torus", "linked_tori", "five_spheres", "fuel", "gyroid", "machine"}) {
+  for (const std::string name :
+       {"torus", "linked_tori", "five_spheres", "fuel", "gyroid", "machine"}) {
     CAPTURE(name);
-    const Volume volume = make_builtin_volume("builtin:" + std::string(name) + ":20");
-    const double isovalue = find_builtin_field("builtin:" + std::string(name))->isovalue;
+    const Volume volume = make_builtin_volume("builtin:" + name + ":20");
+    const double isovalue = find_builtin_field("builtin:" + name)->isovalue;
     const ContourMesh t = contour_of(volume, isovalue);
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       CAPTURE(seed);
@@ -121,6 +128,11 @@ TEST_CASE("what is handed over, and what becomes of it, is like T component by c
       const CertifiedRun refined = run(volume, isovalue, options);
       const paper::Report& r = refined.report;
       CHECK(difference(refined.mesh, t) == "");
+      // The inside is on T's side, though Refine leaves parts of Sigma out.
+      const bool closed = t.boundary.size() == 0;
+      CHECK((!closed || volume_of(refined.mesh.points, refined.mesh.triangles()) *
+                                volume_of(t.points, t.triangles) >
+                            0));
       CHECK(r.uncertified_sites == 0);
       CHECK(judge.broken == 0);
       CHECK(judge.sites == r.points_initial() + r.insertions_recover);

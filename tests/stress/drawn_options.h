@@ -29,6 +29,7 @@ struct Outcome {
   std::size_t vertices = 0, triangles = 0;  // of the surface, without caps
   std::size_t chosen_components = 0;        // of the exact contour
   bool capped = false;
+  bool certified = false;         // by the published program, so that the topology is exact
   bool says_off_surface = false;  // the report tells of vertices that --cap put off the surface
   MeshQuality quality;            // of the surface
   Verification verification;
@@ -51,6 +52,8 @@ enum Exemption : unsigned {
   kUsual = 64,      // no exemption: drawn for most volumes that it means something for
   kNoParts = 128,   // --part excludes it: the command line is refused
   kNotPaper = 256,  // --paper excludes it, likewise
+  kCertified = 512,
+  kNotCertified = 1024,  // --certified excludes it
 };
 
 struct DrawnOption {

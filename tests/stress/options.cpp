@@ -113,6 +113,7 @@ Outcome mesh_once(const Words& words) {
     // As published, the mesh is a manifold where no vertex is left without a disk.
     if (run.published.vertices_left > 0) outcome.fault.clear();
     outcome.capped = line.options.cap;
+    outcome.certified = line.certified && run.published.uncertified_sites == 0;
     outcome.vertices = outcome.capped ? cap.surface_vertices : outcome.mesh.points.size();
     outcome.triangles = outcome.capped ? cap.surface_triangles : outcome.mesh.faces.size();
     outcome.quality = run.quality;
@@ -145,6 +146,9 @@ Findings judge_alone(const Outcome& run, unsigned exempt) {
   Findings found;
   const Faults& faults = run.verification.faults;
   found[broken] = run.fault;
+  if (run.certified) {
+    found[check] = first_of(faults, {missing_components, extra_components, different_components});
+  }
   if ((exempt & kPaper) != 0) return found;
   if (found[broken].empty()) {
     found[broken] = first_of(faults, {not_finite, duplicate_vertices, unused_vertices,
