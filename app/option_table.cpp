@@ -194,10 +194,11 @@ constexpr OptionSpec kRest[] = {
      [](Line& l, Text, Text) { l.paper = true; },
      "hold the mesh against the paper's criteria, whatever its file says"},
     {"--certified", 0, "", kMeshAndTrace,
-     "with --paper: the first stage ends when a certificate says that the topology is exact, in "
-     "place of the paper's tests",
+     "with --paper: Recover ends when a certificate says that the topology is exact, in place of "
+     "the paper's tests; --eps X asks for some geometry too",
      [](Line& l, Text, Text) { l.certified = true; }},
-    {"--eps", 0, "X", kMeshAndTrace, "with --paper: largest h/r in Recover (default 0.2)",
+    {"--eps", 0, "X", kMeshAndTrace,
+     "with --paper: largest h/r in Recover (default 0.2; with --certified none)",
      [](Line& l, Text o, Text v) { l.published.epsilon = parse_positive(o, v); }},
     {"--eps2", 0, "X", kMeshAndTrace,
      "with --paper: largest r over pole height in Refine (default 0.2)",

@@ -93,7 +93,7 @@ void add_published(ReportWriter& out, const CommandLine& line, const paper::Repo
   const paper::Options& options = line.published;
   out.open("paper", "with --paper: what the published program was asked for, and its own counts");
   out.add("certified", line.certified, "the certified Stage 1");
-  out.add("eps", options.epsilon, "the limit of h/r in Recover");
+  out.add("eps", options.epsilon, "the limit of h/r in Recover; null: none", Rule::nullable);
   out.add("eps2", options.epsilon2, "the limit of r over pole height in Refine");
   out.add("lines", options.lines, "random lines of InitTriangulation");
   out.add_choice("solver", static_cast<std::size_t>(options.solver), solvers, "of cubics");
@@ -101,6 +101,8 @@ void add_published(ReportWriter& out, const CommandLine& line, const paper::Repo
   out.add("single_stage", options.single_stage, "all refinement in three dimensions");
   out.add("contour_vertices", report.contour_vertices,
           "of the exact contour, whose vertices the certified sites are");
+  out.add("insertions_certified", report.insertions_certified,
+          "of Recover, until the certificate held for the first time");
   out.add("points_on_lines", report.points_on_lines,
           "of S_0, on random lines; certified: random vertices of the contour");
   out.add("points_on_curves", report.points_on_curves, "of S_0, where the box cuts the surface");

@@ -28,8 +28,9 @@ struct Report {
   // Left when Recover ends: Voronoi edges with several hits, vertices whose D_q is no disk, and
   // vertices without a facet, which the mesh does not have.
   std::size_t facets_left = 0, vertices_left = 0, vertices_alone = 0;
-  // Of the certified Stage 1: vertices of T, and sites where the certificate does not hold.
-  std::size_t contour_vertices = 0, uncertified_sites = 0;
+  // Of the certified Stage 1: vertices of T, those inserted until the certificate held, and sites
+  // where it does not hold.
+  std::size_t contour_vertices = 0, insertions_certified = 0, uncertified_sites = 0;
   std::size_t facets_without_point = 0;  // of the mesh: the dual line misses Sigma
   std::size_t facets_unrefined = 0;      // of the mesh: a criterion does not hold
 

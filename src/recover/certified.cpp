@@ -2,12 +2,15 @@
 #include "recover/certified.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "base/check.h"
 #include "base/random.h"
-#include "base/sorted_list.h"
+#include "base/triangle.h"
 #include "contour/fine_contour.h"
 #include "delaunay/predicates.h"
 #include "paper/poles.h"
@@ -40,14 +43,16 @@ Triangulation first_sites(const ContourMesh& contour, const Box3& box,
 class CertifiedSites {
  public:
   // Keeps references. pre: T has vertices.
-  CertifiedSites(const ContourMesh& contour, Triangulation del, const Box3& box,
+  CertifiedSites(const ContourMesh& contour, Triangulation del, const paper::Sigma& sigma,
                  const paper::Options& options, paper::Report& report);
 
   const Triangulation& del() const { return del_; }
-  // Adds sites until C1 to C4 hold at every site and every facet of K has an area.
-  void recover();
+  // Adds sites until C1 to C4 hold at every site, and every facet of K has an area and keeps to
+  // `epsilon`; infinite: no limit.
+  void certify(double epsilon);
+  std::size_t count_uncertified() const;
   // Returns K as T_S. `poles`: of every site, or none.
-  paper::SurfaceMesh build_dual(const std::vector<double>& poles, const paper::Sigma& sigma) const;
+  paper::SurfaceMesh build_dual(const std::vector<double>& poles) const;
 
  private:
   struct Site {
@@ -60,8 +65,12 @@ class CertifiedSites {
   // Makes the vertex v of T a site. Returns false if a site is there.
   bool add_site(VertexId v);
   bool has_flat_facet() const;
+  // Of facets_, those whose first site has the smallest number: returns why one is bad, and a
+  // vertex of T in place of its x, which is none. kNoId: all are good.
+  std::pair<paper::Reason, VertexId> bad_facet(double epsilon);
 
   const ContourMesh& contour_;
+  const paper::Sigma& sigma_;
   const paper::Options& options_;
   paper::Report& report_;
   Triangulation del_;
@@ -77,9 +86,11 @@ class CertifiedSites {
   std::vector<SiteId> neighbors_;
 };
 
-CertifiedSites::CertifiedSites(const ContourMesh& contour, Triangulation del, const Box3& box,
-                               const paper::Options& options, paper::Report& report)
+CertifiedSites::CertifiedSites(const ContourMesh& contour, Triangulation del,
+                               const paper::Sigma& sigma, const paper::Options& options,
+                               paper::Report& report)
     : contour_(contour),
+      sigma_(sigma),
       options_(options),
       report_(report),
       del_(std::move(del)),
@@ -91,10 +102,9 @@ CertifiedSites::CertifiedSites(const ContourMesh& contour, Triangulation del, co
     if (!labels_.is_site(v) || site.at != kNoId) continue;
     site.at = v;
     ++(contour.on_boundary(v) ? report.points_on_curves : report.points_on_lines);
-    queue(labels_.label(v));
   }
   require_few(report.points_initial(), options);
-  if (options.observer) options.observer->labels_ready(labels_, box, report);
+  if (options.observer) options.observer->labels_ready(labels_, sigma.volume().box(), report);
 }
 
 void CertifiedSites::queue(SiteId s) {
@@ -143,35 +153,57 @@ bool CertifiedSites::has_flat_facet() const {
   });
 }
 
-void CertifiedSites::recover() {
+// The triangle of T where three labels meet is where V_sigma meets T.
+std::pair<paper::Reason, VertexId> CertifiedSites::bad_facet(double epsilon) {
+  for (const DualFacet& f : facets_) {
+    if (f.sites[1] < f.sites[0] || f.sites[2] < f.sites[0]) continue;
+    const Vec3 &a = del_.point(f.sites[0]), &b = del_.point(f.sites[1]),
+               &c = del_.point(f.sites[2]);
+    const VertexId v = labels_.furthest(f.t_triangle);
+    if (v == kNoId || distance(circumcenter(a, b, c), a) <= report_.r_min) continue;
+    const auto dual = find_dual(a, b, c, sigma_, report_.searches_recover);
+    const auto [worst, reason] = violation(paper::measure(a, b, c, dual.x), epsilon,
+                                           std::numeric_limits<double>::infinity(), options_);
+    if (worst > 1 || !dual.on_sigma) return {reason, v};
+  }
+  return {paper::Reason::h_over_r, kNoId};
+}
+
+void CertifiedSites::certify(double epsilon) {
+  for (SiteId s = 1; s < sites_.size(); ++s) {
+    if (sites_[s].at != kNoId) queue(s);
+  }
   paper::Steps steps(options_.observer);
   while (!stack_.empty()) {
     steps.step(stack_.size());
     const SiteId s = stack_.back();
     stack_.pop_back();
     sites_[s].is_queued = false;
-    Verdict verdict = certificate_.check(s, sites_[s].at, facets_);
-    if (!verdict.violation && has_flat_facet()) {
-      verdict.insert = labels_.furthest(labels_.region(s));
+    const Verdict verdict = certificate_.check(s, sites_[s].at, facets_);
+    sites_[s].is_uncertified = verdict.violation.has_value();
+    auto [reason, v] = std::pair(paper::Reason::no_area, verdict.insert);
+    if (verdict.violation) {
+      reason = *verdict.violation;
+    } else if (has_flat_facet()) {
+      v = labels_.furthest(labels_.region(s));
+    } else if (std::isfinite(epsilon)) {
+      std::tie(reason, v) = bad_facet(epsilon);
     }
-    sites_[s].is_uncertified = verdict.violation && verdict.insert == kNoId;
-    if (verdict.insert == kNoId) continue;
-    if (options_.observer) {
-      const auto reason = verdict.violation.value_or(paper::Reason::no_area);
-      options_.observer->asks_site(reason, s, verdict.insert);
-    }
-    if (add_site(verdict.insert)) {
+    if (v == kNoId) continue;
+    if (options_.observer) options_.observer->asks_site(reason, s, v);
+    if (add_site(v)) {
       queue(s);
-    } else {
-      sites_[s].is_uncertified = verdict.violation.has_value();
-      if (options_.observer) options_.observer->refused(paper::Refusal::vertex_there);
+    } else if (options_.observer) {
+      options_.observer->refused(paper::Refusal::vertex_there);
     }
   }
-  for (const Site& s : sites_) report_.uncertified_sites += s.is_uncertified;
 }
 
-paper::SurfaceMesh CertifiedSites::build_dual(const std::vector<double>& poles,
-                                              const paper::Sigma& sigma) const {
+std::size_t CertifiedSites::count_uncertified() const {
+  return static_cast<std::size_t>(std::ranges::count(sites_, true, &Site::is_uncertified));
+}
+
+paper::SurfaceMesh CertifiedSites::build_dual(const std::vector<double>& poles) const {
   paper::SurfaceMesh out;
   std::vector<Triangle> facets;
   std::vector<Vec3> points;
@@ -186,7 +218,7 @@ paper::SurfaceMesh CertifiedSites::build_dual(const std::vector<double>& poles,
       if (!poles.empty()) out.poles.push_back(poles[q]);
     }
     facets.push_back({vertex_of[v[0]], vertex_of[v[1]], vertex_of[v[2]]});
-    out.duals.push_back(find_dual(del_.point(v[0]), del_.point(v[1]), del_.point(v[2]), sigma,
+    out.duals.push_back(find_dual(del_.point(v[0]), del_.point(v[1]), del_.point(v[2]), sigma_,
                                   report_.searches_recover));
   }
   out.mesh = make_tri_mesh(std::move(points), facets);
@@ -207,14 +239,19 @@ TriMesh certified_deliso(const Volume& volume, double isovalue, const paper::Opt
     Triangulation s0 = stage("initial", report.seconds_init, options,
                              [&] { return first_sites(contour, volume.box(), options); });
     CertifiedSites s = stage("labels", report.seconds_labels, options, [&] {
-      return CertifiedSites(contour, std::move(s0), volume.box(), options, report);
+      return CertifiedSites(contour, std::move(s0), sigma, options, report);
     });
-    stage("recover", report.seconds_recover, options, [&] { s.recover(); });
+    stage("recover", report.seconds_recover, options, [&] {
+      s.certify(std::numeric_limits<double>::infinity());
+      report.insertions_certified = report.insertions_recover;
+      if (std::isfinite(options.epsilon)) s.certify(options.epsilon);
+    });
+    report.uncertified_sites = s.count_uncertified();
     if (options.observer) options.observer->recovered();
-    if (options.stop_after_recover) return s.build_dual({}, sigma);
+    if (options.stop_after_recover) return s.build_dual({});
     const std::vector<double> poles = stage("poles", report.seconds_poles, options,
                                             [&] { return compute_poles(s.del(), sigma); });
-    return s.build_dual(poles, sigma);
+    return s.build_dual(poles);
   });
 }
 

@@ -8,8 +8,9 @@
 // Figure 9 refines it as published. No Voronoi edge is searched before. At worst every vertex of T
 // is a site; then K is T.
 //
-// What the certificate does not say: K may cross itself, and thin branches may be missing, since a
-// branch within one region is a disk. Geometry is left to Refine.
+// What the certificate does not say: K may cross itself and be far from Sigma, since a branch
+// within one region is a disk. If `epsilon` is finite, ApproximateGeom follows: more vertices of T
+// are sites where a facet of K breaks its criteria, and the certificate holds again.
 #pragma once
 
 #include "mesh/tri_mesh.h"

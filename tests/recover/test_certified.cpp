@@ -5,16 +5,22 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "base/check.h"
+#include "base/triangle.h"
 #include "cases.h"
 #include "contour/fine_contour.h"
 #include "delaunay/predicates.h"
+#include "delaunay/voronoi.h"
 #include "io/volume/builtin_volume.h"
+#include "isosurface/isosurface.h"
 #include "mesh/check_mesh.h"
 #include "mesh/meshes.h"
 #include "recover/certificate.h"
@@ -87,14 +93,22 @@ double volume_of(const std::vector<Vec3>& points, const std::vector<Triangle>& t
   return six / 6;
 }
 
-// What the certificate says at the end of Stage 1, of all sites anew.
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+// What the certificate says at the end of Stage 1, of all sites anew, and what ApproximateGeom
+// left.
 class Judge : public paper::Observer {
  public:
-  std::size_t sites = 0, broken = 0;
+  explicit Judge(const Isosurface& surface, double epsilon = kNone)
+      : surface_(surface), epsilon_(epsilon) {}
+
+  std::size_t sites = 0, broken = 0, bad = 0;
   std::map<paper::Reason, int> asked;
 
-  void labels_ready(const Labels& labels, const Box3&, const paper::Report&) override {
+  void labels_ready(const Labels& labels, const Box3&, const paper::Report& report) override {
     labels_ = &labels;
+    report_ = &report;
+    sites = broken = bad = 0;
   }
   void asks_site(paper::Reason reason, SiteId, VertexId) override { ++asked[reason]; }
   void recovered() override {
@@ -104,11 +118,32 @@ class Judge : public paper::Observer {
       if (!labels_->is_site(v)) continue;
       ++sites;
       broken += certificate.check(labels_->label(v), v, facets).violation.has_value();
+      bad += std::isfinite(epsilon_)
+                 ? std::ranges::count_if(facets, [&](const DualFacet& f) { return is_bad(f); })
+                 : 0;
     }
   }
 
  private:
+  // A criterion does not hold, and there is a vertex of T to insert.
+  bool is_bad(const DualFacet& f) const {
+    if (std::ranges::all_of(f.t_triangle, [&](VertexId v) { return labels_->is_site(v); })) {
+      return false;
+    }
+    const auto at = [&](std::size_t i) { return labels_->triangulation().point(f.sites[i]); };
+    const FacetLine line = facet_line(at(0), at(1), at(2));
+    if (line.radius <= report_->r_min) return false;
+    SearchCounters counters;
+    const auto x = surface_.nearest(line.center, line.normal, line.radius, counters);
+    const double shortest = std::sqrt(shortest_edge2(at(0), at(1), at(2)));
+    return !x || distance(x->point, line.center) > 1.001 * epsilon_ * line.radius ||
+           line.radius > 2.001 * shortest;
+  }
+
+  const Isosurface& surface_;
+  double epsilon_;
   const Labels* labels_ = nullptr;
+  const paper::Report* report_ = nullptr;
 };
 
 }  // namespace
@@ -121,32 +156,45 @@ TEST_CASE("what is handed over, and what becomes of it, is like T component by c
     const Volume volume = make_builtin_volume("builtin:" + name + ":20");
     const double isovalue = find_builtin_field("builtin:" + name)->isovalue;
     const ContourMesh t = contour_of(volume, isovalue);
+    const Isosurface surface(volume, geometric_isovalue(volume.type(), isovalue));
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       CAPTURE(seed);
-      Judge judge;
-      paper::Options options{.r_min = 0.02, .lines = 3, .seed = seed, .observer = &judge};
-      const CertifiedRun refined = run(volume, isovalue, options);
-      const paper::Report& r = refined.report;
-      CHECK(difference(refined.mesh, t) == "");
-      // The inside is on T's side, though Refine leaves parts of Sigma out.
-      const bool closed = t.boundary.size() == 0;
-      CHECK((!closed || volume_of(refined.mesh.points, refined.mesh.triangles()) *
-                                volume_of(t.points, t.triangles) >
-                            0));
-      CHECK(r.uncertified_sites == 0);
-      CHECK(judge.broken == 0);
-      CHECK(judge.sites == r.points_initial() + r.insertions_recover);
-      CHECK(judge.sites < t.points.size() / 2);
-      CHECK(refined.mesh.points.size() == judge.sites + r.insertions_refine);
-      for (const auto& [reason, count] : judge.asked) asked[reason] += count;
-      options.stop_after_recover = true;
-      const CertifiedRun k = run(volume, isovalue, options);
-      CHECK(k.mesh.points.size() == r.points_initial() + r.insertions_recover);
-      CHECK(difference(k.mesh, t) == "");
+      std::size_t first = 0;
+      for (const double epsilon : {kNone, 0.2}) {
+        CAPTURE(epsilon);
+        Judge judge(surface, epsilon);
+        paper::Options options{
+            .epsilon = epsilon, .r_min = 0.04, .lines = 3, .seed = seed, .observer = &judge};
+        const CertifiedRun refined = run(volume, isovalue, options);
+        const paper::Report& r = refined.report;
+        CHECK(difference(refined.mesh, t) == "");
+        // The inside is on T's side, though Refine leaves parts of Sigma out.
+        const bool closed = t.boundary.size() == 0;
+        CHECK((!closed || volume_of(refined.mesh.points, refined.mesh.triangles()) *
+                                  volume_of(t.points, t.triangles) >
+                              0));
+        CHECK(r.uncertified_sites == 0);
+        CHECK(judge.broken == 0);
+        CHECK(judge.bad == 0);
+        CHECK(judge.sites == r.points_initial() + r.insertions_recover);
+        CHECK(refined.mesh.points.size() == judge.sites + r.insertions_refine);
+        for (const auto& [reason, count] : judge.asked) asked[reason] += count;
+        options.stop_after_recover = true;
+        const CertifiedRun k = run(volume, isovalue, options);
+        CHECK(k.mesh.points.size() == r.points_initial() + r.insertions_recover);
+        CHECK(difference(k.mesh, t) == "");
+        if (epsilon == kNone) {
+          first = k.mesh.points.size();
+          CHECK(first < t.points.size() / 2);
+        } else {
+          CHECK(r.points_initial() + r.insertions_certified == first);
+          CHECK(judge.sites > first);
+        }
+      }
     }
   }
-  for (const auto reason :
-       {paper::Reason::region, paper::Reason::interface, paper::Reason::triple}) {
+  for (const auto reason : {paper::Reason::region, paper::Reason::interface, paper::Reason::triple,
+                            paper::Reason::h_over_r, paper::Reason::r_over_l}) {
     CHECK(asked[reason] > 0);
   }
 }
@@ -158,10 +206,14 @@ TEST_CASE("random volumes: K is like T, and its facets have an area") {
     CAPTURE(seed);
     const stress::TinyVolume tiny = stress::make_tiny_volume(seed);
     const ContourMesh t = contour_of(tiny.volume, tiny.isovalue);
-    Judge judge;
-    const CertifiedRun k =
-        run(tiny.volume, tiny.isovalue,
-            {.lines = 1 + seed % 3, .seed = seed, .stop_after_recover = true, .observer = &judge});
+    const Isosurface surface(tiny.volume, geometric_isovalue(tiny.volume.type(), tiny.isovalue));
+    Judge judge(surface);
+    const CertifiedRun k = run(tiny.volume, tiny.isovalue,
+                               {.epsilon = seed % 2 == 0 ? 0.2 : kNone,
+                                .lines = 1 + seed % 3,
+                                .seed = seed,
+                                .stop_after_recover = true,
+                                .observer = &judge});
     if (k.report.uncertified_sites > 0) {
       ++open;
       continue;
@@ -182,7 +234,7 @@ TEST_CASE("random volumes: K is like T, and its facets have an area") {
 TEST_CASE("components that no first site is on are found") {
   const Volume volume = make_builtin_volume("builtin:five_spheres:24");
   const double isovalue = find_builtin_field("builtin:five_spheres")->isovalue;
-  paper::Options options{.lines = 1, .stop_after_recover = true};
+  paper::Options options{.epsilon = kNone, .lines = 1, .stop_after_recover = true};
   const CertifiedRun k = run(volume, isovalue, options);
   CHECK(k.report.points_initial() == 1);
   CHECK(mesh_topology(k.mesh).components.size() == 5);

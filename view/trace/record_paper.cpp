@@ -104,7 +104,8 @@ void PaperRecorder::labels_ready(const Labels& labels, const Box3& domain,
 
 void PaperRecorder::asks_site(paper::Reason reason, SiteId q, VertexId v) {
   outcome_ = TraceOutcome::done;
-  if (!trace_.is_full()) Recording::asks_site(Routine::certify, trace_code(reason), q, v);
+  const auto [routine, code] = codes_of(reason);
+  if (!trace_.is_full()) Recording::asks_site(routine, code, q, v);
 }
 
 void PaperRecorder::insertion_begins(const Vec3& p, const ConflictZone& zone) {

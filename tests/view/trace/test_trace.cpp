@@ -517,7 +517,8 @@ TEST_CASE("labels replayed are those of the nearest site") {
     check_labels(run, certified);
     const TraceArrays& a = run.trace.arrays();
     CHECK(std::ranges::count_if(a.routine, [](std::uint8_t routine) {
-            return routine == trace_code(Routine::certify);
+            return routine == trace_code(Routine::certify) ||
+                   routine == trace_code(Routine::approximate_geom);
           }) == static_cast<std::ptrdiff_t>(run.published.insertions_recover));
   }
   for (const PaperReason reason : {PaperReason::region, PaperReason::interface}) {
