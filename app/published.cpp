@@ -62,7 +62,6 @@ TriMesh mesh_as_published(const Volume& volume, double isovalue, const CommandLi
   report.kappa_effective = published.kappa;
   report.r_min = published.r_min;
   report.seconds_contour = published.seconds_contour;
-  report.seconds_labels = published.seconds_labels;
   report.seconds_init = published.seconds_init;
   report.seconds_recover = published.seconds_recover;
   report.seconds_refine = published.seconds_refine;

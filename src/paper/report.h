@@ -12,7 +12,7 @@ struct Report {
   double kappa = 0, r_min = 0;  // geometric_isovalue(); r_min in the scaled frame
   // Seconds of the wall clock.
   double seconds_tree = 0, seconds_init = 0, seconds_recover = 0;
-  double seconds_contour = 0, seconds_labels = 0;  // of the certified Stage 1
+  double seconds_contour = 0;  // of the certified Stage 1
   double seconds_poles = 0;                        // ComputePoles
   double seconds_refine = 0;  // BuildTriMesh and RefineGeom; single stage: on Del S
   double seconds_total = 0;

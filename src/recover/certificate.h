@@ -27,7 +27,6 @@ struct Verdict {
   // The vertex of T to insert: the furthest from its site in the stray piece, region, interface,
   // triple or boundary arc. kNoId: every vertex there is a site already.
   VertexId insert = kNoId;
-  bool is_fine() const { return !violation && insert == kNoId; }
 };
 
 // A facet of the dual, and the triangle of T on which the labels of its sites meet. Both have the

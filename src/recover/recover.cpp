@@ -180,7 +180,7 @@ void CertifiedRecovery::certify_sites() {
       verdict.insert = find_protrusion(s, site.facets, labels_, surface_, parameters_);
     }
     site.is_uncertified = false;
-    if (verdict.is_fine()) continue;
+    if (!verdict.violation && verdict.insert == kNoId) continue;
     if (follower_ && verdict.violation) {
       follower_->site_asked(*verdict.violation, s, verdict.insert);
     } else if (follower_) {

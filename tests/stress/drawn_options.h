@@ -29,7 +29,6 @@ struct Outcome {
   std::size_t vertices = 0, triangles = 0;  // of the surface, without caps
   std::size_t chosen_components = 0;        // of the exact contour
   bool capped = false;
-  bool certified = false;         // by the published program, so that the topology is exact
   bool says_off_surface = false;  // the report tells of vertices that --cap put off the surface
   MeshQuality quality;            // of the surface
   Verification verification;

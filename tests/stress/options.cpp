@@ -112,8 +112,10 @@ Outcome mesh_once(const Words& words) {
     outcome.fault = run.fault.empty() ? cap.failure : run.fault;
     // As published, the mesh is a manifold where no vertex is left without a disk.
     if (run.published.vertices_left > 0) outcome.fault.clear();
+    // Check cannot say so: it finds components by their place, and the mesh may be far from Sigma.
+    const bool certified = line.certified && run.published.uncertified_sites == 0;
+    if (certified && run.mesh != run.report.exact) outcome.fault = "certified, of another topology";
     outcome.capped = line.options.cap;
-    outcome.certified = line.certified && run.published.uncertified_sites == 0;
     outcome.vertices = outcome.capped ? cap.surface_vertices : outcome.mesh.points.size();
     outcome.triangles = outcome.capped ? cap.surface_triangles : outcome.mesh.faces.size();
     outcome.quality = run.quality;
@@ -146,9 +148,6 @@ Findings judge_alone(const Outcome& run, unsigned exempt) {
   Findings found;
   const Faults& faults = run.verification.faults;
   found[broken] = run.fault;
-  if (run.certified) {
-    found[check] = first_of(faults, {missing_components, extra_components, different_components});
-  }
   if ((exempt & kPaper) != 0) return found;
   if (found[broken].empty()) {
     found[broken] = first_of(faults, {not_finite, duplicate_vertices, unused_vertices,
