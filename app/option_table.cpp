@@ -204,7 +204,8 @@ constexpr OptionSpec kRest[] = {
      "with --paper: largest r over pole height in Refine (default 0.2)",
      [](Line& l, Text o, Text v) { l.published.epsilon2 = parse_positive(o, v); }},
     {"--lines", 0, "N", kMeshAndTrace,
-     "with --paper: random lines, where the first points are (default 50); with --certified as many "
+     "with --paper: random lines, where the first points are (default 50); with --certified as "
+     "many "
      "random vertices of the exact contour",
      [](Line& l, Text o, Text v) {
        l.published.lines = parse_count(o, v);
