@@ -34,10 +34,6 @@ Block block_of(VertexId v, const ContourMesh& contour, const Volume& volume) {
 
 }  // namespace
 
-bool is_auxiliary(const Vec3& p, const Box3& box) {
-  return distance2(p, box.middle()) > length2(box.size());
-}
-
 void require_room(const Triangulation& triangulation, const Parameters& parameters) {
   if (triangulation.vertex_capacity() <= parameters.max_vertices) return;
   throw InputError("more than --max-vertices ", parameters.max_vertices,

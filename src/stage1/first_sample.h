@@ -18,9 +18,6 @@
 
 namespace deliso {
 
-// True if a vertex at p is auxiliary.
-bool is_auxiliary(const Vec3& p, const Box3& box);
-
 // Throws an InputError if the sites are more than --max-vertices.
 void require_room(const Triangulation& triangulation, const Parameters& parameters);
 
