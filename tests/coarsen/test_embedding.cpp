@@ -1,73 +1,88 @@
 // SPDX-License-Identifier: MIT
-// F1 to F3 of coarsen/embedding.h, on octahedra whose places are known.
+// The faults that coarsening may leave, put in one by one.
 #include "coarsen/embedding.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <vector>
+
+#include "coarsen/contour_as_mesh.h"
+#include "deliso/fields.h"
 
 using namespace deliso;
 
 namespace {
 
-struct Octahedron {
-  Vec3 center;
-  double radius;
-};
+// T of a ball inside another one, of which the inside is between the two.
+struct Shells {
+  Shells()
+      : scene(Volume::from_function({{0, 0, 0}, {31, 31, 31}}, {32, 32, 32},
+                                    [](const Vec3& p) {
+                                      const double r = length(p - Vec3{15.5, 15.5, 15.5});
+                                      return std::min(12 - r, r - 4);
+                                    }),
+              0.25),
+        mesh(contour_as_mesh(scene.contour)),
+        box(scene.volume.box()),
+        components(mesh.mesh, mesh.chain, 0, box),
+        all(mesh.mesh.faces.size(), 1) {
+    small = scene.contour.summary.components[0].crossings <
+                    scene.contour.summary.components[1].crossings
+                ? 0
+                : 1;
+  }
 
-SurfaceMesh mesh_of(const std::vector<Octahedron>& all) {
-  std::vector<Vec3> points;
-  std::vector<Triangle> triangles;
-  for (const auto& [center, radius] : all) {
-    const auto first = static_cast<std::uint32_t>(points.size());
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const double sign : {1.0, -1.0}) {
-        points.push_back(center);
-        points.back()[axis] += sign * radius;
-      }
-    }
-    for (std::uint32_t octant = 0; octant < 8; ++octant) {
-      const std::uint32_t x = octant & 1, y = octant >> 1 & 1, z = octant >> 2;
-      const VertexId a(first + x), b(first + 2 + y), c(first + 4 + z);
-      const bool is_odd = ((x + y + z) & 1) != 0;
-      triangles.push_back(is_odd ? Triangle{a, c, b} : Triangle{a, b, c});
+  EmbeddingFaults faults(const FreeBox& free_box = {}) const {
+    return embedding_faults(mesh, components, all, free_box, box);
+  }
+  template <class Change>
+  void change_small(Change&& change) {
+    for (VertexId v = 0; v < mesh.mesh.points.size(); ++v) {
+      Vec3& p = mesh.mesh.points[v];
+      if (scene.contour.component[v] == small) p = change(p);
     }
   }
-  SurfaceMesh s;
-  s.mesh = make_tri_mesh(std::move(points), triangles);
-  return s;
-}
 
-constexpr Box3 kBox{{0, 0, 0}, {40, 40, 40}};
-
-// Returns the faults of a mesh that was another before.
-EmbeddingFaults faults_of(const std::vector<Octahedron>& before,
-                          const std::vector<Octahedron>& after) {
-  const SurfaceMesh was = mesh_of(before), is = mesh_of(after);
-  const MeshComponents components(was.mesh, was.chain, 0, kBox);
-  const std::vector<std::uint8_t> changed(is.mesh.faces.size(), 1);
-  return embedding_faults(is, components, changed, {}, kBox);
-}
+  Scene scene;
+  SurfaceMesh mesh;
+  Box3 box;
+  MeshComponents components;
+  std::vector<std::uint8_t> all;
+  std::uint32_t small = 0;
+};
 
 }  // namespace
 
-TEST_CASE("a component that was drawn through one sheet is found; beyond two sheets it is not") {
-  const Octahedron large{{20, 20, 20}, 8}, left{{6, 20, 20}, 2};
-  CHECK(faults_of({large, left}, {large, left}).none());
-  CHECK(faults_of({large, left}, {large, {{5, 20, 20}, 1}}).none());
-
-  const EmbeddingFaults inside = faults_of({large, left}, {large, {{20.5, 20, 20}, 2}});
-  CHECK(inside.components == std::vector<std::uint32_t>{1, 1, 1});
-  CHECK(inside.facets.size() == 3);
-
-  CHECK(faults_of({large, left}, {large, {{34, 20, 20}, 2}}).none());
+TEST_CASE("T has no fault") {
+  const Shells shells;
+  REQUIRE(shells.components.count() == 2);
+  CHECK(shells.faults().none());
 }
 
-TEST_CASE("a component that crosses another, and one that is reversed, are found") {
-  const Octahedron large{{20, 20, 20}, 8}, left{{6, 20, 20}, 2};
-  CHECK_FALSE(faults_of({large, left}, {large, {{12.5, 20, 20}, 2}}).facets.empty());
-  // A negative radius turns it inside out.
-  const EmbeddingFaults reversed = faults_of({large, left}, {large, {{6, 20, 20}, -2}});
-  CHECK(std::ranges::find(reversed.components, 1u) != reversed.components.end());
+TEST_CASE("facets that cross are told, if one of them changed") {
+  Shells shells;
+  shells.change_small([](const Vec3& p) { return p + Vec3{8, 0, 0}; });
+  CHECK(shells.faults().facets.size() > 20);
+  std::ranges::fill(shells.all, 0);
+  CHECK(shells.faults().facets.empty());
+}
+
+TEST_CASE("a reversed component is told") {
+  Shells shells;
+  shells.change_small([](const Vec3& p) { return Vec3{31 - p.x, p.y, p.z}; });
+  const EmbeddingFaults faults = shells.faults();
+  CHECK(std::ranges::find(faults.components, shells.small) != faults.components.end());
+}
+
+TEST_CASE("a component on the wrong side of another is told, within the free box") {
+  Shells shells;
+  // Out of the large ball, where it bounds what is outside already.
+  shells.change_small([](const Vec3& p) {
+    return Vec3{29, 15.5, 15.5} + 0.2 * (p - Vec3{15.5, 15.5, 15.5});
+  });
+  const EmbeddingFaults faults = shells.faults();
+  CHECK(faults.components.size() >= 1);
+  FreeBox far;
+  far.hi.x = 2;
+  CHECK(shells.faults(far).components.empty());
 }

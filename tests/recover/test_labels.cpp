@@ -7,11 +7,8 @@
 #include <algorithm>
 
 #include "deliso/fields.h"
-#include "deliso/options.h"
 #include "mesh/tri_mesh.h"
 #include "recover/certificate.h"
-#include "coarsen/contour_as_mesh.h"
-#include "stage1/first_sample.h"
 
 using namespace deliso;
 
@@ -55,23 +52,23 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14);
-    const BoundaryCurves curves = BoundaryCurves(
-        scene.surface, std::make_shared<const BoundaryLoops>(boundary_loops(scene.contour)));
-    Report report;
-    Options options;
-    options.seed = seed;
-    FirstSample sites = init_triangulation(scene.contour, curves, scene.volume,
-                                           resolve(options, scene.volume), report);
-    Triangulation& t = sites.triangulation;
+    Random random(seed);
+    const auto anywhere = [&] {
+      return scene.contour
+          .points[random.below(static_cast<std::uint32_t>(scene.contour.points.size()))];
+    };
+    std::vector<Vec3> sample;
+    for (int n = 0; n < 80; ++n) sample.push_back(anywhere());
+    append_auxiliary(scene.volume.box(), sample);
+    Triangulation t;
+    std::vector<SiteId> ids;
+    REQUIRE(t.build(sample, ids));
     Labels labels(scene.contour, t);
     check_nearest(scene.contour, labels, t);
-    Random random(seed);
     ConflictZone zone;
     std::vector<CellId> created;
     for (int n = 0; n < 30; ++n) {
-      const Vec3 p =
-          scene.contour
-              .points[random.below(static_cast<std::uint32_t>(scene.contour.points.size()))];
+      const Vec3 p = anywhere();
       t.find_conflicts(p, kNoId, zone);
       if (zone.duplicate != kNoId) continue;
       const SiteId s = t.insert_in_zone(p, zone, created);
@@ -157,7 +154,7 @@ TEST_CASE("a region that is a whole torus breaks C1") {
   Certificate certificate(labels);
   std::vector<DualFacet> facets;
   const Verdict verdict = certificate.check(ids[0], 0, facets);
-  CHECK(verdict.violation == Reason::region);
+  CHECK(verdict.violation == paper::Reason::region);
   REQUIRE(verdict.insert != kNoId);
   for (const Vec3& p : scene.contour.points) {
     CHECK(distance(p, points[0]) <= distance(scene.contour.points[verdict.insert], points[0]));

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "stage1/first_sample.h"
 #include "surface/criteria.h"
 
 namespace deliso {
