@@ -193,13 +193,19 @@ constexpr OptionSpec kRest[] = {
      "--max-distance; it can lose what no Voronoi edge meets, and need not end",
      [](Line& l, Text, Text) { l.paper = true; },
      "hold the mesh against the paper's criteria, whatever its file says"},
-    {"--eps", 0, "X", kMeshAndTrace, "with --paper: largest h/r in Recover (default 0.2)",
+    {"--certified", 0, "", kMeshAndTrace,
+     "with --paper: Recover ends when a certificate says that the topology is exact, in place of "
+     "the paper's tests; --eps X asks for some geometry too",
+     [](Line& l, Text, Text) { l.certified = true; }},
+    {"--eps", 0, "X", kMeshAndTrace,
+     "with --paper: largest h/r in Recover (default 0.2; with --certified none)",
      [](Line& l, Text o, Text v) { l.published.epsilon = parse_positive(o, v); }},
     {"--eps2", 0, "X", kMeshAndTrace,
      "with --paper: largest r over pole height in Refine (default 0.2)",
      [](Line& l, Text o, Text v) { l.published.epsilon2 = parse_positive(o, v); }},
     {"--lines", 0, "N", kMeshAndTrace,
-     "with --paper: random lines, where the first points are (default 50)",
+     "with --paper: random lines, where the first points are (default 50); with --certified as many "
+     "random vertices of the exact contour",
      [](Line& l, Text o, Text v) {
        l.published.lines = parse_count(o, v);
        if (l.published.lines > paper::kMostLines) {

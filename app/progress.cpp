@@ -48,19 +48,19 @@ std::string time_text(double seconds) {
 
 std::vector<StageCost> mesh_stages(const CommandLine& line) {
   const Options& options = line.options;
-  const bool certified = !line.paper;
+  const bool has_contour = !line.paper || line.certified;
   const bool refines = !options.stop_after_recover;
   const bool examined = !line.quiet || line.check || !line.json.empty();
   const std::pair<bool, StageCost> all[] = {{true, {"reading", 1}},
-                                            {certified, {"contour", 4, "blocks"}},
-                                            {certified, {"cutting", 4, "blocks"}},
+                                            {has_contour, {"contour", 4, "blocks"}},
+                                            {!line.paper, {"cutting", 4, "blocks"}},
                                             {true, {"initial", 3, "blocks"}},
-                                            {certified, {"labels", 4, "blocks"}},
+                                            {!line.paper, {"labels", 4, "blocks"}},
                                             {true, {"recover", 20, "blocks"}},
-                                            {!certified && refines, {"poles", 2}},
+                                            {line.paper && refines, {"poles", 2}},
                                             {refines, {"refine", 45, "blocks"}},
-                                            {certified, {"weld", 1}},
-                                            {refines && certified, {"seams", 6}},
+                                            {!line.paper, {"weld", 1}},
+                                            {refines && !line.paper, {"seams", 6}},
                                             {refines && by_count(options), {"coarsen", 20}},
                                             {options.cap, {"cap", 3}},
                                             {examined, {"check", line.check ? 150.0 : 18.0}},

@@ -178,10 +178,8 @@ TriMesh make_mesh(MeshRun& run, Progress& progress, const Warn& warn) {
   warn_of_size(vertices, expected_cost(surface, vertices, volume, line.options, line.check), warn);
 
   if (line.paper) {
-    paper::Options options = published_options(line, volume);
     PublishedProgress shown(progress);
-    options.observer = &shown;
-    return mesh_as_published(volume, isovalue, options, run.published, run.report);
+    return mesh_as_published(volume, isovalue, line, shown, run.published, run.report);
   }
   Options options = line.options;
   options.observer = &progress;

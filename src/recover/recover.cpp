@@ -180,9 +180,12 @@ void CertifiedRecovery::certify_sites() {
       verdict.insert = find_protrusion(s, site.facets, labels_, surface_, parameters_);
     }
     site.is_uncertified = false;
-    if (verdict.is_fine()) continue;
-    const Reason reason = verdict.violation.value_or(Reason::protrusion);
-    if (follower_) follower_->site_asked(reason, s, verdict.insert);
+    if (!verdict.violation && verdict.insert == kNoId) continue;
+    if (follower_ && verdict.violation) {
+      follower_->site_asked(*verdict.violation, s, verdict.insert);
+    } else if (follower_) {
+      follower_->site_asked(Reason::protrusion, s, verdict.insert);
+    }
     if (verdict.insert != kNoId && add_site(verdict.insert)) {
       queue_site(s);
     } else if (verdict.violation) {

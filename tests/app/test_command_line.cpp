@@ -209,8 +209,8 @@ TEST_CASE("check --paper holds a mesh against the published criteria") {
 
 TEST_CASE("options of the published program need --paper, and it refuses those it has not") {
   for (const std::string command : {"mesh a --iso 1 ", "trace a --iso 1 -o p.html "}) {
-    for (const std::string option : {"--eps 0.2", "--eps2 0.2", "--lines 50", "--keep-hits",
-                                     "--single-stage", "--solver schwarze"}) {
+    for (const std::string option : {"--certified", "--eps 0.2", "--eps2 0.2", "--lines 50",
+                                     "--keep-hits", "--single-stage", "--solver schwarze"}) {
       CAPTURE(option);
       CHECK(refusal(command + option) ==
             split(option)[0] + " belongs to --paper, the algorithm as published");

@@ -83,10 +83,10 @@ TEST_CASE("with --paper the page shows the published program, with its counts") 
   const std::string page = page_of(words);
   const CommandLine line = parsed("trace -o page.html " + words);
   const Volume volume = make_builtin_volume("builtin:fuel:16");
+  paper::Observer none;
   paper::Report published;
   Report report;
-  const TriMesh mesh =
-      mesh_as_published(volume, *line.isovalue, published_options(line, volume), published, report);
+  const TriMesh mesh = mesh_as_published(volume, *line.isovalue, line, none, published, report);
   const auto routine = array_of<std::uint8_t>(page, "event_routine");
   const auto vertex = array_of<std::uint32_t>(page, "event_vertex");
   const auto at_switch = std::ranges::find(routine, trace_code(Routine::build_tri_mesh));

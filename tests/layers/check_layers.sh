@@ -22,10 +22,11 @@ allowed() {
     contour) echo "base volume delaunay mesh embedding contour" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
     surface) echo "base mesh embedding volume isosurface surface" ;;
-    stage1 | recover) echo "$surface delaunay contour stage1 $1" ;;
+    stage1) echo "$surface delaunay contour stage1" ;;
+    recover) echo "$surface roots kdtree delaunay contour stage1 paper recover" ;;
     refine) echo "$surface refine" ;;
     deliso) echo "$stages deliso" ;;
-    # As published: the primitives alone. Nothing of src/ includes it.
+    # As published: the primitives alone. Of src/ only recover includes it.
     paper) echo "base roots volume kdtree isosurface delaunay mesh paper" ;;
     blocks) echo "$surface kdtree contour stage1 recover/recover.h refine deliso blocks" ;;
     cap) echo "$surface delaunay planar contour refine/refinement.h refine/lift_off.h cap" ;;

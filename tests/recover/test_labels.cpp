@@ -157,7 +157,7 @@ TEST_CASE("a region that is a whole torus breaks C1") {
   Certificate certificate(labels);
   std::vector<DualFacet> facets;
   const Verdict verdict = certificate.check(ids[0], 0, facets);
-  CHECK(verdict.violation == Reason::region);
+  CHECK(verdict.violation == paper::Reason::region);
   REQUIRE(verdict.insert != kNoId);
   for (const Vec3& p : scene.contour.points) {
     CHECK(distance(p, points[0]) <= distance(scene.contour.points[verdict.insert], points[0]));
