@@ -48,22 +48,22 @@ std::string time_text(double seconds) {
 
 std::vector<StageCost> mesh_stages(const CommandLine& line) {
   const Options& options = line.options;
-  const bool certified = !line.paper;
-  const bool refines = !options.stop_after_recover;
+  const bool exact = !line.paper;
+  const bool refines = !options.stop_after_stage1;
   const bool examined = !line.quiet || line.check || !line.json.empty();
   const std::pair<bool, StageCost> all[] = {{true, {"reading", 1}},
-                                            {certified, {"contour", 4, "blocks"}},
-                                            {certified, {"cutting", 4, "blocks"}},
-                                            {true, {"initial", 3, "blocks"}},
-                                            {certified, {"labels", 4, "blocks"}},
-                                            {true, {"recover", 20, "blocks"}},
-                                            {!certified && refines, {"poles", 2}},
-                                            {refines, {"refine", 45, "blocks"}},
-                                            {certified, {"weld", 1}},
-                                            {refines && certified, {"seams", 6}},
-                                            {refines && by_count(options), {"coarsen", 20}},
+                                            {exact, {"contour", 4, "blocks"}},
+                                            {exact, {"cutting", 2, "blocks"}},
+                                            {exact, {"coarsen", 45, "blocks"}},
+                                            {!exact, {"initial", 3}},
+                                            {!exact, {"recover", 20}},
+                                            {!exact && refines, {"poles", 2}},
+                                            {refines, {"refine", exact ? 22.0 : 45.0, "blocks"}},
+                                            {exact, {"weld", 1}},
+                                            {refines && exact, {"seams", 6}},
+                                            {refines && by_count(options), {"thin", 40}},
                                             {options.cap, {"cap", 3}},
-                                            {examined, {"check", line.check ? 150.0 : 18.0}},
+                                            {examined, {"check", line.check ? 150.0 : 6.0}},
                                             {!line.output.empty(), {"writing", 1}}};
   std::vector<StageCost> stages;
   for (const auto& [is_run, stage] : all) {

@@ -85,7 +85,7 @@ int work(const BenchArguments& arguments) {
     const ExactRuns runs = run_once(opened, Options());
     const Report& r = runs.last();
     add("exact program", runs.mesh,
-        {r.kappa_effective, r.r_min, runs.total().median, r.points_recovered, r.insertions_refine,
+        {r.kappa_effective, r.r_min, runs.total().median, r.vertices_coarsened, r.insertions_refine,
          "-"});
     const double at_default = times.points[1].second;
     for (auto& [epsilon, seconds] : times.points) seconds /= at_default;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coarsen/contour_as_mesh.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "deliso/options.h"
@@ -14,7 +15,6 @@
 #include "io/volume/builtin_volume.h"
 #include "recover/certificate.h"
 #include "recover/labels.h"
-#include "stage1/first_sample.h"
 #include "view/render/color_map.h"
 #include "view/render/render.h"
 #include "view/render/write_png.h"
@@ -66,10 +66,10 @@ void draw_fineness(const std::string& folder) {
 }
 
 void draw_switch(const std::string& folder) {
-  Options at_the_switch;
-  at_the_switch.stop_after_recover = true;
+  Options after_stage1;
+  after_stage1.stop_after_stage1 = true;
   draw(folder, "switch",
-       {meshed("builtin:machine", at_the_switch, "K, at the switch"),
+       {meshed("builtin:machine", after_stage1, "after Stage 1"),
         meshed("builtin:machine", {}, "M, at the end")},
        {50, 35}, {1140, 480});
 }
@@ -80,7 +80,6 @@ void draw_certified(const std::string& folder) {
   const ContourMesh contour = build_contour(volume, kappa);
   const Isosurface surface(volume, kappa);
   Options options;
-  options.samples = 6;
   const Parameters parameters = resolve(options, volume);
   Report report;
   const auto condition_of = [](Reason reason) {

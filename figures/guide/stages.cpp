@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/triangle.h"
+#include "coarsen/contour_as_mesh.h"
 #include "deliso/deliso.h"
 #include "deliso/options.h"
 #include "guide/drawing.h"
@@ -18,7 +19,6 @@
 #include "io/volume/builtin_volume.h"
 #include "refine/operations.h"
 #include "refine/refine.h"
-#include "stage1/first_sample.h"
 
 namespace deliso::guide {
 namespace {
@@ -176,7 +176,7 @@ void draw_boundary(const std::string& folder) {
   Drawing out(760, 292);
   const double scale = 230 / end;
   const auto panel_at = [&](double x) { return Panel{{0, 0}, scale, {x, 46}, {230, 230}}; };
-  const Panel coarse = panel_at(16), handed = panel_at(265), refined = panel_at(514);
+  const Panel contour = panel_at(16), handed = panel_at(265), refined = panel_at(514);
   const auto background = [&](const Panel& panel) {
     // Samples of g on the face z = 0, a quarter of a voxel apart.
     constexpr int kParts = 4;
@@ -196,10 +196,10 @@ void draw_boundary(const std::string& folder) {
       }
     }
   };
-  const auto draw_chain = [&]<class Vertex>(const Panel& panel, const Chain<Vertex>& chain,
-                                            const std::vector<Vec3>& points, bool with_balls) {
-    for (Vertex v = 0; v < chain.vertex_capacity(); ++v) {
-      if (!chain.is_boundary(v) || v >= points.size()) continue;
+  const auto draw_chain = [&](const Panel& panel, const BoundaryChain& chain,
+                              const IdArray<VertexId, Vec3>& points, bool with_balls) {
+    for (VertexId v = 0; v < chain.vertex_capacity(); ++v) {
+      if (!chain.is_boundary(v)) continue;
       const Vec3 &a = points[v], &b = points[chain.next(v)];
       if (a.z != 0 || b.z != 0) continue;
       const Vec2 pa = panel.at({a.x, a.y}), pb = panel.at({b.x, b.y});
@@ -212,22 +212,13 @@ void draw_boundary(const std::string& folder) {
       out.dot(pb, ink::kSigma, 2.8);
     }
   };
-  background(coarse);
-  {
-    const BoundaryCurves curves =
-        BoundaryCurves(h.surface, std::make_shared<const BoundaryLoops>(boundary_loops(h.contour)));
-    const FirstSample sites =
-        init_triangulation(h.contour, curves, h.volume, h.parameters, h.report);
-    std::vector<Vec3> points;
-    for (SiteId v = 0; v < sites.triangulation.vertex_capacity(); ++v) {
-      points.push_back(v == Triangulation::kInfinite ? Vec3{} : sites.triangulation.point(v));
-    }
-    draw_chain(coarse, sites.chain, points, true);
-  }
-  out.frame(coarse, "coarse, each with its ball");
+  background(contour);
+  const SurfaceMesh t = contour_as_mesh(h.contour);
+  draw_chain(contour, t.chain, t.mesh.points, false);
+  out.frame(contour, "of the exact contour");
   background(handed);
   draw_chain(handed, h.recovered.mesh.chain, h.recovered.mesh.mesh.points, true);
-  out.frame(handed, "handed over by Stage 1");
+  out.frame(handed, "after Stage 1, with balls");
   background(refined);
   refine(h.recovered.mesh, h.surface, h.recovered.curves, h.recovered.samples, h.parameters,
          h.report);

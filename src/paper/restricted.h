@@ -28,9 +28,7 @@ class RestrictedDelaunay {
 
   const Triangulation& del() const { return del_; }
   const Sigma& sigma() const { return sigma_; }
-  bool is_auxiliary(SiteId q) const {
-    return distance2(del_.point(q), box_.middle()) > length2(box_.size());
-  }
+  bool is_auxiliary(SiteId q) const { return deliso::is_auxiliary(del_.point(q), box_); }
   // Returns V_sigma cap Sigma, in order along the dual line of facet_dual().
   std::span<const Hit> hits(Facet sigma) const { return hits_[slot(sigma)].x; }
   // Sets `d_q` to D_q: the facets of Del S|Sigma at q.

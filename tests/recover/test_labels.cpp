@@ -7,11 +7,8 @@
 #include <algorithm>
 
 #include "deliso/fields.h"
-#include "deliso/options.h"
 #include "mesh/tri_mesh.h"
 #include "recover/certificate.h"
-#include "coarsen/contour_as_mesh.h"
-#include "stage1/first_sample.h"
 
 using namespace deliso;
 
@@ -55,23 +52,23 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14);
-    const BoundaryCurves curves = BoundaryCurves(
-        scene.surface, std::make_shared<const BoundaryLoops>(boundary_loops(scene.contour)));
-    Report report;
-    Options options;
-    options.seed = seed;
-    FirstSample sites = init_triangulation(scene.contour, curves, scene.volume,
-                                           resolve(options, scene.volume), report);
-    Triangulation& t = sites.triangulation;
+    Random random(seed);
+    const auto somewhere_on_t = [&] {
+      const IdArray<VertexId, Vec3>& of_t = scene.contour.points;
+      return of_t[VertexId(random.below(static_cast<std::uint32_t>(of_t.size())))];
+    };
+    std::vector<Vec3> points;
+    for (int n = 0; n < 50; ++n) points.push_back(somewhere_on_t());
+    append_auxiliary(scene.volume.box(), points);
+    Triangulation t;
+    std::vector<SiteId> ids;
+    REQUIRE(t.build(points, ids));
     Labels labels(scene.contour, t);
     check_nearest(scene.contour, labels, t);
-    Random random(seed);
     ConflictZone zone;
     std::vector<CellId> created;
     for (int n = 0; n < 30; ++n) {
-      const Vec3 p =
-          scene.contour
-              .points[random.below(static_cast<std::uint32_t>(scene.contour.points.size()))];
+      const Vec3 p = somewhere_on_t();
       t.find_conflicts(p, kNoId, zone);
       if (zone.duplicate != kNoId) continue;
       const SiteId s = t.insert_in_zone(p, zone, created);

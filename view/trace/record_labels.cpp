@@ -30,7 +30,7 @@ Routine routine_of(Reason reason) {
 }  // namespace
 
 void TraceRecorder::run_begins(const Parameters& parameters, const Report& report) {
-  Recording::run_begins(report.searches_recover, report.searches_refine, parameters.r_min);
+  Recording::run_begins(report.searches_coarsen, report.searches_refine, parameters.r_min);
 }
 
 TraceEvent& TraceRecorder::asks(Routine routine, Reason reason, double value) {

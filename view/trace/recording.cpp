@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "stage1/first_sample.h"
+#include "delaunay/triangulation.h"
 #include "surface/criteria.h"
 
 namespace deliso {

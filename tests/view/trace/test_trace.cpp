@@ -243,8 +243,7 @@ TEST_CASE("facets replayed are the mesh, and zones are in conflict, in both prog
       const Traced run = traced(scene, options);
       check_replay(run);
       const std::size_t cells = check_zones(run.trace);
-      const std::size_t recovered =
-          run.report.insertions_recover() + run.published.insertions_recover;
+      const std::size_t recovered = run.published.insertions_recover;
       if (recovered > 0) CHECK(cells > recovered);
       const auto inserted =
           std::count_if(run.trace.arrays().vertex.begin(), run.trace.arrays().vertex.end(),
@@ -674,7 +673,7 @@ TEST_CASE("searches and their voxels are counted event by event, each in its sta
   for_both_programs([&](const auto& options) {
     const Traced run = traced(scene, options);
     const TraceArrays& a = run.trace.arrays();
-    SearchCounters in_recover = run.report.searches_recover, in_refine = run.report.searches_refine;
+    SearchCounters in_recover = run.report.searches_coarsen, in_refine = run.report.searches_refine;
     in_recover += run.published.searches_recover;
     in_refine += run.published.searches_refine;
     REQUIRE(in_recover.searches > 0);
