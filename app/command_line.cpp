@@ -292,6 +292,7 @@ constexpr Exclusion kExclusions[] = {
     {"--float", "--double", ""},
     {"--vertices", "--triangles --max-distance --stop-after --max-vertices", ""},
     {"--triangles", "--max-distance --stop-after --max-vertices", ""},
+    {"--certified", "--keep-hits --single-stage", ": its sites are no points of Voronoi edges"},
     {"--shared", "--cap --check --json --vertices --triangles --attributes --largest", ""},
     {"--shared", "--min-component --max-vertices --stop-after --block-side", ""},
     {"--part", "--vertices --triangles", ""},
@@ -299,8 +300,9 @@ constexpr Exclusion kExclusions[] = {
      ": give it to deliso join"}};
 
 // The options that the published program alone has, and those that it has not.
-constexpr std::string_view kOnlyPaper[] = {"--eps",       "--eps2",         "--lines", "--seed",
-                                           "--keep-hits", "--single-stage", "--solver"};
+constexpr std::string_view kOnlyPaper[] = {"--certified",    "--eps",   "--eps2",
+                                           "--lines",        "--seed",  "--keep-hits",
+                                           "--single-stage", "--solver"};
 constexpr std::string_view kNeverPaper[] = {
     "--vertices", "--triangles",  "--max-distance", "--max-radius", "--min-component",
     "--largest",  "--block-side", "--cap",          "--part",       "--shared"};
@@ -332,8 +334,11 @@ void check_exclusions(const CommandLine& line, const Given& given) {
 // Applies --paper where options are not given: the criteria that a check can measure are in
 // `options` too. The paper's criteria turn the bound on the distance off.
 template <class Given>
-void take_paper(Options& options, bool everything, const Given& given) {
+void take_paper(CommandLine& line, const Given& given) {
+  Options& options = line.options;
+  const bool everything = line.paper;
   const paper::Options published;
+  if (line.certified && !given("--eps")) line.published.epsilon = Options::kNone;
   if (everything) {
     if (!given("--eps1")) options.limits[Criterion::h_over_r].value = published.epsilon1;
     if (!given("--lambda")) options.limits[Criterion::r_over_l].value = published.lambda;
@@ -419,7 +424,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   }
   if (command == Command::mesh && !named) refuse_unknown_command(line.input, false);
   line.command = command;
-  take_paper(line.options, line.paper, given);
+  take_paper(line, given);
   for (std::size_t n = 0; n < kCriteria; ++n) {
     line.given.limits.values[n] = given(kCriterionWords[n].option);
   }

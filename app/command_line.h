@@ -73,8 +73,9 @@ struct CommandLine {
   bool section = false;  // the cuts of clips are filled with the gray values of the volume
   bool axes = false;
   bool overlay = false;
-  std::optional<Up> up;  // absent: superior if the file tells, else +z
-  bool paper = false;    // the published program; of a check, the paper's criteria
+  std::optional<Up> up;    // absent: superior if the file tells, else +z
+  bool paper = false;      // the published program; of a check, the paper's criteria
+  bool certified = false;  // with the certified Stage 1
   struct Given {
     PerCriterion<bool> limits;
     bool r_min = false;
@@ -85,6 +86,7 @@ struct CommandLine {
   bool allow_empty = false;
   bool check = false;
   double restricted_share = 0;  // the least that a check accepts
+  bool triangulate = false;     // a check also counts Voronoi edges
   bool quiet = false;
   bool verbose = false;
 };

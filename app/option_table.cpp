@@ -124,6 +124,10 @@ constexpr OptionSpec kInputAndOutput[] = {
      "exit 1 unless this share of the triangles is restricted Delaunay; of mesh together with "
      "--check (default: the share is reported)",
      [](Line& l, Text o, Text v) { l.restricted_share = v == "0" ? 0 : parse_share(o, v); }},
+    {"--triangulate", 0, "", kCheckOnly,
+     "also triangulate the vertices, which takes as long as all else: restricted Delaunay facets "
+     "that the mesh lacks, and Voronoi edges that meet the surface twice",
+     [](Line& l, Text, Text) { l.triangulate = true; }},
     {"--allow-empty", 0, "", kMeshAndJoin, "an isovalue that gives no surface is no error",
      [](Line& l, Text, Text) { l.allow_empty = true; }},
     {"--roi", 0, "X0:X1,Y0:Y1,Z0:Z1", kVolume,
@@ -193,13 +197,20 @@ constexpr OptionSpec kRest[] = {
      "--max-distance; it can lose what no Voronoi edge meets, and need not end",
      [](Line& l, Text, Text) { l.paper = true; },
      "hold the mesh against the paper's criteria, whatever its file says"},
-    {"--eps", 0, "X", kMeshAndTrace, "with --paper: largest h/r in Recover (default 0.2)",
+    {"--certified", 0, "", kMeshAndTrace,
+     "with --paper: Recover ends when a certificate says that the topology is exact, in place of "
+     "the paper's tests; --eps X asks for some geometry too",
+     [](Line& l, Text, Text) { l.certified = true; }},
+    {"--eps", 0, "X", kMeshAndTrace,
+     "with --paper: largest h/r in Recover (default 0.2; with --certified none)",
      [](Line& l, Text o, Text v) { l.published.epsilon = parse_positive(o, v); }},
     {"--eps2", 0, "X", kMeshAndTrace,
      "with --paper: largest r over pole height in Refine (default 0.2)",
      [](Line& l, Text o, Text v) { l.published.epsilon2 = parse_positive(o, v); }},
     {"--lines", 0, "N", kMeshAndTrace,
-     "with --paper: random lines, where the first points are (default 50)",
+     "with --paper: random lines, where the first points are (default 50); with --certified as "
+     "many "
+     "random vertices of the exact contour",
      [](Line& l, Text o, Text v) {
        l.published.lines = parse_count(o, v);
        if (l.published.lines > paper::kMostLines) {
@@ -225,7 +236,8 @@ constexpr OptionSpec kRest[] = {
     {"--max-vertices", 0, "N", kMeshAndTrace, "stop with an error beyond N vertices",
      [](Line& l, Text o, Text v) { l.options.max_vertices = parse_count(o, v, 4); }},
     {"--block-side", 0, "N", kAllMeshing,
-     "about how many voxels a block has along each axis (default 64, in large volumes up to 128); "
+     "blocks of about N voxels along each axis (default: of 24 to 128, by equal shares of the "
+     "surface); "
      "whole: the volume is one block",
      [](Line& l, Text o, Text v) {
        l.options.block_side =

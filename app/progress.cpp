@@ -52,7 +52,7 @@ std::vector<StageCost> mesh_stages(const CommandLine& line) {
   const bool refines = !options.stop_after_stage1;
   const bool examined = !line.quiet || line.check || !line.json.empty();
   const std::pair<bool, StageCost> all[] = {{true, {"reading", 1}},
-                                            {exact, {"contour", 4, "blocks"}},
+                                            {exact || line.certified, {"contour", 4, "blocks"}},
                                             {exact, {"cutting", 2, "blocks"}},
                                             {exact, {"coarsen", 45, "blocks"}},
                                             {!exact, {"initial", 3}},

@@ -7,6 +7,7 @@
 #include "app/text.h"
 #include "base/text.h"
 #include "contour/contour.h"
+#include "recover/certified.h"
 
 namespace deliso {
 namespace {
@@ -31,6 +32,8 @@ constexpr PaperCount kPaperCounts[] = {
      "vertices whose facets are no disk when Recover ends"},
     {&paper::Report::vertices_alone, "vertices_alone",
      "vertices without a facet when Recover ends; the mesh does not have them"},
+    {&paper::Report::uncertified_sites, "uncertified_sites",
+     "sites where the certificate does not hold when Recover ends"},
     {&paper::Report::facets_without_point, "facets_without_point",
      "triangles whose dual line misses the surface within r"},
     {&paper::Report::facets_unrefined, "facets_unrefined",
@@ -49,11 +52,15 @@ paper::Options published_options(const CommandLine& line, const Volume& volume) 
   return options;
 }
 
-TriMesh mesh_as_published(const Volume& volume, double isovalue, const paper::Options& options,
-                          paper::Report& published, Report& report) {
-  TriMesh mesh = paper::deliso(volume, isovalue, options, published);
+TriMesh mesh_as_published(const Volume& volume, double isovalue, const CommandLine& line,
+                          paper::Observer& observer, paper::Report& published, Report& report) {
+  paper::Options options = published_options(line, volume);
+  options.observer = &observer;
+  TriMesh mesh = line.certified ? certified_deliso(volume, isovalue, options, published)
+                                : paper::deliso(volume, isovalue, options, published);
   report.kappa_effective = published.kappa;
   report.r_min = published.r_min;
+  report.seconds_contour = published.seconds_contour;
   report.seconds_refine = published.seconds_refine;
   report.seconds_total = published.seconds_total;
   report.insertions_refine = published.insertions_refine;
@@ -78,14 +85,20 @@ void add_published(ReportWriter& out, const CommandLine& line, const paper::Repo
   const std::string solvers[] = {"schwarze", "isolation"};
   const paper::Options& options = line.published;
   out.open("paper", "with --paper: what the published program was asked for, and its own counts");
-  out.add("eps", options.epsilon, "the limit of h/r in Recover");
+  out.add("certified", line.certified, "the certified Stage 1");
+  out.add("eps", options.epsilon, "the limit of h/r in Recover; null: none", Rule::nullable);
   out.add("eps2", options.epsilon2, "the limit of r over pole height in Refine");
   out.add("lines", options.lines, "random lines of InitTriangulation");
   out.add("seed", options.seed, "of what is random");
   out.add_choice("solver", static_cast<std::size_t>(options.solver), solvers, "of cubics");
   out.add("keep_hits", options.keep_hits, "only facets at a new vertex are searched");
   out.add("single_stage", options.single_stage, "all refinement in three dimensions");
-  out.add("points_on_lines", report.points_on_lines, "of S_0, on random lines");
+  out.add("contour_vertices", report.contour_vertices,
+          "of the exact contour, whose vertices the certified sites are");
+  out.add("insertions_certified", report.insertions_certified,
+          "of Recover, until the certificate held for the first time");
+  out.add("points_on_lines", report.points_on_lines,
+          "of S_0, on random lines; certified: random vertices of the contour");
   out.add("points_on_curves", report.points_on_curves, "of S_0, where the box cuts the surface");
   for (const PaperCount& count : kPaperCounts)
     out.add(count.name, report.*count.value, count.words);

@@ -16,10 +16,11 @@ namespace deliso {
 // Returns the options with r_min as a share of the volume's smallest side.
 paper::Options published_options(const CommandLine& line, const Volume& volume);
 
-// Meshes the volume as published. In `report` it fills in what every run tells: the isovalue used,
-// r_min, seconds, sizes, and the exact topology, which the published program does not know.
-TriMesh mesh_as_published(const Volume& volume, double isovalue, const paper::Options& options,
-                          paper::Report& published, Report& report);
+// Meshes the volume as published, or with the certified Stage 1. In `report` it fills in what every
+// run tells: the isovalue used, r_min, seconds, sizes, and the exact topology, which the published
+// program does not know.
+TriMesh mesh_as_published(const Volume& volume, double isovalue, const CommandLine& line,
+                          paper::Observer& observer, paper::Report& published, Report& report);
 
 // Shows the stages of a run.
 class PublishedProgress : public paper::Observer {

@@ -184,6 +184,16 @@ std::string report_text(const MeshRun& run) {
   if (!run.line.output.empty()) lines += " -> " + one_line(run.line.output);
   lines += text("\n          ", topology_text(run.mesh), "\n");
   if (count_stop(run) != CountStop::none) lines += text("count     ", count_text(run), "\n");
+  if (run.line.certified) {
+    const paper::Report& p = run.published;
+    const std::size_t sites = p.points_initial() + p.insertions_certified;
+    lines += text("certified with ", counted(sites, "site"), ", of ",
+                  counted(p.contour_vertices, "vertex", "vertices"), " of the contour");
+    const std::size_t in_the_end = p.points_initial() + p.insertions_recover;
+    if (in_the_end > sites) lines += text("; ", grouped(in_the_end), " sites in the end");
+    if (p.uncertified_sites > 0) lines += text("; not at ", grouped(p.uncertified_sites));
+    lines += "\n";
+  }
   if (run.line.paper) {
     lines += text("found     ", grouped(run.mesh.components), " of ",
                   counted(report.exact.components, "component"), "\n");

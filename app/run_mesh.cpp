@@ -96,8 +96,10 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
     });
     looks.emplace_back([&] {
       const std::vector<Triangle> triangles = surface.triangles();
-      const TriangleTree tree(surface.points, triangles, options.threads);
-      run.close = find_close_places(surface.points, triangles, tree, volume, options.threads);
+      const VertexGrids grids(surface.points, triangles);
+      run.close =
+          find_close_places(surface.points, triangles, edge_uses(surface.points.size(), triangles),
+                            grids, volume, options.threads);
     });
   }
   if (reported && options.cap) {
@@ -178,10 +180,8 @@ TriMesh make_mesh(MeshRun& run, Progress& progress, const Warn& warn) {
   warn_of_size(vertices, expected_cost(surface, vertices, volume, line.options, line.check), warn);
 
   if (line.paper) {
-    paper::Options options = published_options(line, volume);
     PublishedProgress shown(progress);
-    options.observer = &shown;
-    return mesh_as_published(volume, isovalue, options, run.published, run.report);
+    return mesh_as_published(volume, isovalue, line, shown, run.published, run.report);
   }
   Options options = line.options;
   options.observer = &progress;

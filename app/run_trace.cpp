@@ -33,10 +33,8 @@ TriMesh traced_mesh(const CommandLine& line, const Input& input, Progress& progr
   if (line.paper) {
     PublishedProgress shown(progress);
     PaperRecorder recorder(trace, &shown);
-    paper::Options options = published_options(line, volume);
-    options.observer = &recorder;
     paper::Report published;
-    return mesh_as_published(volume, *input.isovalue, options, published, report);
+    return mesh_as_published(volume, *input.isovalue, line, recorder, published, report);
   }
   TraceRecorder recorder(trace, &progress);
   Options options = line.options;

@@ -127,9 +127,10 @@ int run_bench(int argc, char** argv, const char* purpose, int (*work)(const Benc
   }
 }
 
-PublishedRuns run_once(const OpenedDataset& opened, const paper::Options& options) {
+PublishedRuns run_once(const OpenedDataset& opened, const paper::Options& options,
+                       PublishedProgram program) {
   return run_in_time<paper::Report>([&](paper::Report& report) {
-    return paper::deliso(opened.volume, opened.isovalue, options, report);
+    return program(opened.volume, opened.isovalue, options, report);
   });
 }
 

@@ -59,7 +59,10 @@ ExactRuns measure_runs(const OpenedDataset& opened, const Options& options,
                        const BenchArguments& arguments);
 
 // One run, as every measurement in one thread.
-PublishedRuns run_once(const OpenedDataset& opened, const paper::Options& options);
+using PublishedProgram = TriMesh (*)(const Volume&, double isovalue, const paper::Options&,
+                                     paper::Report&);
+PublishedRuns run_once(const OpenedDataset& opened, const paper::Options& options,
+                       PublishedProgram program = paper::deliso);
 ExactRuns run_once(const OpenedDataset& opened, const Options& options);
 
 // Everything as published, with the data set's number of lines.

@@ -35,6 +35,5 @@ void draw_cells(const std::string& folder);
 // meshes.cpp
 void draw_fineness(const std::string& folder);
 void draw_certified(const std::string& folder);
-void draw_switch(const std::string& folder);
 
 }  // namespace deliso::guide

@@ -63,7 +63,7 @@ FlatContour::Regions FlatContour::regions(const std::vector<std::size_t>& sites)
   std::vector<DualFacet> facets;
   for (std::size_t n = 0; n < sites.size() && !out.violation; ++n) {
     const Verdict verdict = certificate.check(ids[n], lower_[sites[n]], facets);
-    if (verdict.is_fine()) continue;
+    if (!verdict.violation) continue;
     const Vec3& p = contour_.points[verdict.insert];
     out.violation = Violation{sites[n], verdict.violation.value(), nearest_vertex({p.x, p.y})};
   }

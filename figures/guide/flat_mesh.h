@@ -26,7 +26,7 @@ class FlatContour {
 
   struct Violation {
     std::size_t site;
-    Reason reason;
+    paper::Reason reason;
     std::size_t insert;  // the vertex that the certificate asks for
   };
   struct Regions {

@@ -32,7 +32,6 @@ constexpr Figure kFigures[] = {
     {"certificate", draw_certificate},
     {"cells", draw_cells},
     {"certified", draw_certified},
-    {"switch", draw_switch},
     {"insert", draw_insert},
     {"gates", draw_gates},
     {"operations", draw_operations},

@@ -14,6 +14,7 @@
 #include "io/files/append_format.h"
 #include "io/volume/builtin_volume.h"
 #include "recover/certificate.h"
+#include "recover/certified.h"
 #include "recover/labels.h"
 #include "view/render/color_map.h"
 #include "view/render/render.h"
@@ -65,30 +66,18 @@ void draw_fineness(const std::string& folder) {
   draw(folder, "fineness", panels, {60, 25}, {1140, 380});
 }
 
-void draw_switch(const std::string& folder) {
-  Options after_stage1;
-  after_stage1.stop_after_stage1 = true;
-  draw(folder, "switch",
-       {meshed("builtin:machine", after_stage1, "after Stage 1"),
-        meshed("builtin:machine", {}, "M, at the end")},
-       {50, 35}, {1140, 480});
-}
-
 void draw_certified(const std::string& folder) {
+  constexpr std::size_t kSites = 9;
   const Volume volume = make_builtin_volume("builtin:torus:32");
   const double kappa = geometric_isovalue(volume.type(), 0);
   const ContourMesh contour = build_contour(volume, kappa);
-  const Isosurface surface(volume, kappa);
-  Options options;
-  const Parameters parameters = resolve(options, volume);
-  Report report;
-  const auto condition_of = [](Reason reason) {
+  const auto condition_of = [](paper::Reason reason) {
     switch (reason) {
-      case Reason::region:
+      case paper::Reason::region:
         return "C1";
-      case Reason::interface:
+      case paper::Reason::interface:
         return "C2";
-      case Reason::triple:
+      case paper::Reason::triple:
         return "C3";
       default:
         return "C4";
@@ -100,7 +89,7 @@ void draw_certified(const std::string& folder) {
     Pictured p{make_tri_mesh(contour.points, contour.triangles), {}};
     Certificate certificate(labels);
     std::vector<DualFacet> facets;
-    std::map<Reason, std::size_t> broken;
+    std::map<paper::Reason, std::size_t> broken;
     for (VertexId v = 0; v < contour.points.size(); ++v) {
       if (labels.distance2_to_site(v) > 0) continue;
       const auto violation = certificate.check(labels.label(v), v, facets).violation;
@@ -118,11 +107,8 @@ void draw_certified(const std::string& folder) {
     }
     return p;
   };
-  const BoundaryCurves curves =
-      BoundaryCurves(surface, std::make_shared<const BoundaryLoops>(boundary_loops(contour)));
   std::vector<Pictured> panels;
   {
-    // The random ones alone, before blocks have theirs.
     Triangulation sites;
     std::vector<Vec3> points;
     const Box3 box = volume.box();
@@ -131,7 +117,6 @@ void draw_certified(const std::string& folder) {
     for (const Vec3& way : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
       points.push_back(middle + far * way);
     }
-    constexpr std::size_t kSites = 9;
     for (std::size_t n = 0; n < kSites; ++n) {
       points.push_back(contour.points[(2 * n + 1) * contour.points.size() / (2 * kSites)]);
     }
@@ -139,15 +124,16 @@ void draw_certified(const std::string& folder) {
     sites.build(points, ids);
     panels.push_back(labeled(sites, kSites));
   }
-  const DelaunayMesh recovered =
-      delaunay_mesh(surface, ContourMesh(contour), stage1_only(), parameters, report);
+  paper::Report report;
+  const TriMesh dual = certified_deliso(
+      volume, 0, {.epsilon = Options::kNone, .lines = kSites, .stop_after_recover = true}, report);
   {
     Triangulation sites;
     std::vector<SiteId> ids;
-    sites.build(recovered.mesh.mesh.points, ids);
-    panels.push_back(labeled(sites, recovered.mesh.mesh.points.size()));
+    sites.build(dual.points, ids);
+    panels.push_back(labeled(sites, dual.points.size()));
   }
-  Pictured k{recovered.mesh.mesh, {}};
+  Pictured k{dual, {}};
   append_format(k.caption, "K, their dual: %zu triangles", k.mesh.faces.size());
   panels.push_back(std::move(k));
   draw(folder, "certified", panels, {30, 45}, {1140, 380});

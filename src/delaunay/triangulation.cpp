@@ -114,8 +114,4 @@ void append_auxiliary(const Box3& box, std::vector<Vec3>& points) {
   }
 }
 
-bool is_auxiliary(const Vec3& p, const Box3& box) {
-  return distance2(p, box.middle()) > length2(box.size());
-}
-
 }  // namespace deliso

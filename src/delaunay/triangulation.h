@@ -147,8 +147,9 @@ class Triangulation {
 // far from them.
 inline constexpr std::size_t kAuxiliaryVertices = 4;
 void append_auxiliary(const Box3& box, std::vector<Vec3>& points);
-// True if a vertex at p is auxiliary.
-bool is_auxiliary(const Vec3& p, const Box3& box);
+inline bool is_auxiliary(const Vec3& p, const Box3& box) {
+  return distance2(p, box.middle()) > length2(box.size());
+}
 
 // Returns the vertices of f, counter-clockwise seen from outside f.cell.
 inline SiteTriangle facet_vertices(const Triangulation& t, Facet f) {

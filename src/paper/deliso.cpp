@@ -6,22 +6,9 @@
 
 #include "base/check.h"
 #include "base/random.h"
-#include "base/stopwatch.h"
 #include "paper/poles.h"
-#include "paper/refine.h"
 
 namespace deliso::paper {
-namespace {
-
-// Runs a stage, with its time and its name for the observer.
-template <class Run>
-auto stage(const char* name, double& seconds, const Options& options, Run&& run) {
-  if (options.observer) options.observer->stage_begins(name);
-  const StepTimer timer(seconds);
-  return run();
-}
-
-}  // namespace
 
 Recovery init_triangulation(Sigma& sigma, const Options& options, Report& report) {
   const Box3 box = sigma.volume().box();
@@ -50,7 +37,8 @@ Recovery init_triangulation(Sigma& sigma, const Options& options, Report& report
   return Recovery(std::move(s0), curves, ids, options, report);
 }
 
-TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Report& report) {
+TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Report& report,
+               const StageOne& stage_one) {
   const StepTimer total(report.seconds_total);
   if (!(volume.box().smallest_side() > 0)) {
     throw InputError("a volume needs two or more samples along each axis");
@@ -60,11 +48,21 @@ TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Re
   const VoxelTree tree = timed(report.seconds_tree, [&] { return VoxelTree(volume); });
   Sigma sigma(tree, report.kappa, options.solver);
 
-  // From the end of this on there are no tetrahedra.
-  SurfaceMesh t = [&] {
+  SurfaceMesh t = stage_one(sigma);  // from here on there are no tetrahedra
+  if (options.observer) options.observer->mesh_ready(t);
+  if (!t.poles.empty()) {
+    stage("refine", report.seconds_refine, options,
+          [&] { refine_geom(t, sigma, options, report); });
+  }
+  t.mesh.frame = volume.frame();
+  return std::move(t.mesh);
+}
+
+TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Report& report) {
+  return deliso(volume, isovalue, options, report, [&](Sigma& sigma) {
     Recovery s = stage("initial", report.seconds_init, options,
                        [&] { return init_triangulation(sigma, options, report); });
-    if (report.points_initial() == 0 && tree.active(report.kappa)) {
+    if (report.points_initial() == 0 && !sigma.is_empty()) {
       throw InputError("none of the ", options.lines,
                        " random lines meets the surface: --lines N draws more");
     }
@@ -78,14 +76,7 @@ TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Re
     if (!options.single_stage) return build_tri_mesh(s.del(), poles);
     stage("refine", report.seconds_refine, options, [&] { s.refine(poles); });
     return build_tri_mesh(s.del(), {});
-  }();
-  if (options.observer) options.observer->mesh_ready(t);
-  if (!t.poles.empty()) {
-    stage("refine", report.seconds_refine, options,
-          [&] { refine_geom(t, sigma, options, report); });
-  }
-  t.mesh.frame = volume.frame();
-  return std::move(t.mesh);
+  });
 }
 
 }  // namespace deliso::paper

@@ -6,9 +6,13 @@
 // the Voronoi cells of others. They are lost, and the mesh is sound without them.
 #pragma once
 
+#include <functional>
+
+#include "base/stopwatch.h"
 #include "mesh/tri_mesh.h"
 #include "paper/options.h"
 #include "paper/recover.h"
+#include "paper/refine.h"
 #include "paper/report.h"
 #include "volume/volume.h"
 
@@ -18,6 +22,21 @@ namespace deliso::paper {
 // counter-clockwise seen from g < kappa. Throws InputError for a volume without a voxel, if no line
 // meets Sigma, and beyond max_vertices. pre: all samples are finite; lambda >= 1, r_min > 0.
 TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Report& report);
+
+// Stage 1: returns T_S with the pole heights; without them, the mesh is not refined.
+using StageOne = std::function<SurfaceMesh(Sigma&)>;
+
+// The same with another Stage 1 (recover/certified.h).
+TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Report& report,
+               const StageOne& stage_one);
+
+// Runs a step, with its time and its name for the observer.
+template <class Run>
+auto stage(const char* name, double& seconds, const Options& options, Run&& run) {
+  if (options.observer) options.observer->stage_begins(name);
+  const StepTimer timer(seconds);
+  return run();
+}
 
 // InitTriangulation: S_0 is where random lines through the box meet Sigma, and the points of the
 // boundary curves (§5). Four auxiliary vertices far outside the box make Del S_0 three-dimensional.

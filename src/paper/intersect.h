@@ -20,6 +20,7 @@ class Sigma {
 
   const Volume& volume() const { return tree_.volume(); }
   double kappa() const { return by_steps_.kappa(); }
+  bool is_empty() const { return !tree_.active(kappa()); }
 
   // Returns the points of Sigma on r, in order. Valid until the next call.
   std::span<const Hit> intersect(const Segment& r, SearchCounters& counters);

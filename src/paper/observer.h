@@ -10,6 +10,10 @@
 #include "delaunay/triangulation.h"
 #include "mesh/tri_mesh.h"
 
+namespace deliso {
+class Labels;
+}
+
 namespace deliso::paper {
 
 class RestrictedDelaunay;
@@ -17,7 +21,8 @@ struct SurfaceMesh;
 struct Report;
 
 // Why a point shall be inserted: what MultiIntersect and ExtractManifold look for, the latter away
-// from the boundary curves and on them, and the criteria of ApproximateGeom and RefineGeom.
+// from the boundary curves and on them, and the criteria of ApproximateGeom and RefineGeom. Then
+// the conditions C1 to C4 of the certified Stage 1, and that a facet has an area.
 enum class Reason : std::uint8_t {
   several_hits,
   not_a_disk,
@@ -25,6 +30,11 @@ enum class Reason : std::uint8_t {
   h_over_r,
   r_over_l,
   r_over_pole,  // height
+  region,
+  interface,
+  triple,
+  boundary,
+  no_area,
 };
 // Why a point is not inserted; `split` has another in its place.
 enum class Refusal : std::uint8_t { vertex_there, split, at_curve, not_a_disk };
@@ -45,6 +55,10 @@ class Observer {
   virtual void site_added(SiteId) {}
   virtual void refused(Refusal) {}
   virtual void recovered() {}
+  // The certified Stage 1 (recover/certified.h), in place of sample_ready() and asks(). The
+  // vertex `v` of T shall be a site, for the sake of the site `q`.
+  virtual void labels_ready(const Labels&, const Box3& /*domain*/, const Report&) {}
+  virtual void asks_site(Reason, SiteId /*q*/, VertexId /*v*/) {}
 
   // Stage 2.
   virtual void mesh_ready(const SurfaceMesh&) {}

@@ -29,7 +29,9 @@ class Refinement {
   const Vec3& at(FaceId f, std::size_t i) const { return mesh_.points[mesh_.faces[f].v[i]]; }
   // 0 up to r_min.
   Violation violation(FaceId f) const;
-  SurfaceMesh::Dual dual(FaceId f);
+  SurfaceMesh::Dual dual(FaceId f) {
+    return find_dual(at(f, 0), at(f, 1), at(f, 2), sigma_, report_.searches_refine);
+  }
   bool is_encroached(FaceId f, const Vec3& p) const {
     constexpr double kInside = 1 - 2e-9;  // by more than rounding
     const Vec3& x = t_.duals[f].x;
@@ -57,12 +59,6 @@ Violation Refinement::violation(FaceId f) const {
   double pole = 0;
   for (const VertexId v : mesh_.faces[f].v) pole += t_.poles[v] / 3;
   return paper::violation(m, options_.epsilon1, pole, options_);
-}
-
-SurfaceMesh::Dual Refinement::dual(FaceId f) {
-  const FacetLine line = facet_line(at(f, 0), at(f, 1), at(f, 2));
-  const auto hit = sigma_.nearest(line.center, line.normal, line.radius, report_.searches_refine);
-  return {hit ? hit->point : line.center, hit.has_value()};
 }
 
 void Refinement::find_encroached(FaceId sigma, const Vec3& p) {
@@ -178,33 +174,51 @@ void turn_as_neighbors(std::vector<Triangle>& facets, const std::vector<std::uin
 
 }  // namespace
 
+SurfaceMesh::Dual find_dual(const Vec3& a, const Vec3& b, const Vec3& c, const Sigma& sigma,
+                            SearchCounters& counters) {
+  const FacetLine line = facet_line(a, b, c);
+  const auto hit = sigma.nearest(line.center, line.normal, line.radius, counters);
+  return {hit ? hit->point : line.center, hit.has_value()};
+}
+
+SurfaceMesh as_mesh(const Triangulation& del, std::vector<Triangle> facets,
+                    const std::vector<double>& poles) {
+  SurfaceMesh out;
+  std::vector<Vec3> points;
+  std::vector<VertexId> vertex_of(del.vertex_capacity(), kNoId);  // by site
+  for (Triangle& facet : facets) {
+    for (VertexId& q : facet) {
+      if (vertex_of[q] == kNoId) {
+        vertex_of[q] = VertexId(points.size());
+        points.push_back(del.point(SiteId(q.number())));
+        if (!poles.empty()) out.poles.push_back(poles[q]);
+      }
+      q = vertex_of[q];
+    }
+  }
+  out.mesh = make_tri_mesh(std::move(points), facets);
+  return out;
+}
+
 SurfaceMesh build_tri_mesh(const RestrictedDelaunay& del, const std::vector<double>& poles) {
   const Triangulation& t = del.del();
-  SurfaceMesh out;
+  IdArray<FaceId, SurfaceMesh::Dual> duals;
   std::vector<Triangle> facets;
   std::vector<std::uint8_t> has_several;  // by facet: hits, and so no side that they tell
-  std::vector<Vec3> points;
-  std::vector<VertexId> vertex_of(t.vertex_capacity(), kNoId);  // by site
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
     for (int i = 0; i < 4 && t.is_live(c); ++i) {
       const std::span<const Hit> hits = del.hits({c, i});
       if (!(c < t.neighbor(c, i)) || hits.empty()) continue;
-      SiteTriangle v = facet_vertices(t, {c, i});
+      const SiteTriangle v = facet_vertices(t, {c, i});
       const Hit& x = nearest(hits, t.point(v[0]));
-      v = turned(v, x);
-      for (const SiteId q : v) {
-        if (vertex_of[q] != kNoId) continue;
-        vertex_of[q] = VertexId(points.size());
-        points.push_back(t.point(q));
-        if (!poles.empty()) out.poles.push_back(poles[q]);
-      }
-      facets.push_back({vertex_of[v[0]], vertex_of[v[1]], vertex_of[v[2]]});
-      out.duals.push_back({x.point, true});
+      facets.push_back(as_mesh_triangle(turned(v, x)));
+      duals.push_back({x.point, true});
       has_several.push_back(hits.size() > 1);
     }
   }
-  turn_as_neighbors(facets, has_several, points.size());
-  out.mesh = make_tri_mesh(std::move(points), facets);
+  turn_as_neighbors(facets, has_several, t.vertex_capacity());
+  SurfaceMesh out = as_mesh(t, std::move(facets), poles);
+  out.duals = std::move(duals);
   return out;
 }
 

@@ -29,9 +29,18 @@ struct SurfaceMesh {
   IdArray<VertexId, double> poles;  // pole heights; empty: not known
 };
 
+// Returns where the dual line of the facet a, b, c meets Sigma nearest to the circumcenter, no
+// further than r.
+SurfaceMesh::Dual find_dual(const Vec3& a, const Vec3& b, const Vec3& c, const Sigma& sigma,
+                            SearchCounters& counters);
+
+// Returns facets between sites as a mesh whose vertices are these, without duals. `poles`: of every
+// site, or none.
+SurfaceMesh as_mesh(const Triangulation& del, std::vector<Triangle> facets,
+                    const std::vector<double>& poles);
+
 // Returns Del S_1|Sigma as a mesh. A facet is turned by the passage of its Voronoi edge, which
-// leaves Sigma's inside at x; one with several hits as its neighbors are. `poles`: of every site,
-// or none.
+// leaves Sigma's inside at x; one with several hits as its neighbors are.
 SurfaceMesh build_tri_mesh(const RestrictedDelaunay& del, const std::vector<double>& poles);
 
 // Inserts x of every facet with r > r_min and h/r > epsilon1, r/h_sigma > epsilon2 or r/l > lambda,

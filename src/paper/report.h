@@ -12,8 +12,9 @@ struct Report {
   double kappa = 0, r_min = 0;  // geometric_isovalue(); r_min in the scaled frame
   // Seconds of the wall clock.
   double seconds_tree = 0, seconds_init = 0, seconds_recover = 0;
-  double seconds_poles = 0;   // ComputePoles
-  double seconds_refine = 0;  // BuildTriMesh and RefineGeom; single stage: on Del S
+  double seconds_contour = 0;  // of the certified Stage 1
+  double seconds_poles = 0;    // ComputePoles
+  double seconds_refine = 0;   // BuildTriMesh and RefineGeom; single stage: on Del S
   double seconds_total = 0;
   std::size_t points_on_lines = 0, points_on_curves = 0;      // S_0
   std::size_t insertions_recover = 0, insertions_refine = 0;  // n_RC and n_RF
@@ -27,6 +28,9 @@ struct Report {
   // Left when Recover ends: Voronoi edges with several hits, vertices whose D_q is no disk, and
   // vertices without a facet, which the mesh does not have.
   std::size_t facets_left = 0, vertices_left = 0, vertices_alone = 0;
+  // Of the certified Stage 1: vertices of T, those inserted until the certificate held, and sites
+  // where it does not hold.
+  std::size_t contour_vertices = 0, insertions_certified = 0, uncertified_sites = 0;
   std::size_t facets_without_point = 0;  // of the mesh: the dual line misses Sigma
   std::size_t facets_unrefined = 0;      // of the mesh: a criterion does not hold
 

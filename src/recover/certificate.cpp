@@ -80,6 +80,7 @@ Certificate::Region Certificate::count_region(SiteId a, VertexId at,
 }
 
 Verdict Certificate::check(SiteId a, VertexId at, std::vector<DualFacet>& facets) {
+  using paper::Reason;
   const Region r = count_region(a, at, facets);
   const std::span<const VertexId> all = labels_.region(a);
   const ContourMesh& contour = labels_.contour();

@@ -17,17 +17,16 @@
 #include <optional>
 #include <vector>
 
+#include "paper/observer.h"
 #include "recover/labels.h"
-#include "surface/observer.h"
 
 namespace deliso {
 
 struct Verdict {
-  std::optional<Reason> violation;  // region, interface, triple or boundary
+  std::optional<paper::Reason> violation;  // region, interface, triple or boundary
   // The vertex of T to insert: the furthest from its site in the stray piece, region, interface,
   // triple or boundary arc. kNoId: every vertex there is a site already.
   VertexId insert = kNoId;
-  bool is_fine() const { return !violation && insert == kNoId; }
 };
 
 // A facet of the dual, and the triangle of T on which the labels of its sites meet. Both have the

@@ -13,29 +13,22 @@ namespace {
 // with a margin for rounding.
 constexpr double kMaxDistanceRatio2 = 4 * (1 + 1e-12);
 
-struct Neighbor {
-  SiteId site;
-  double distance2;
-};
+using Neighbor = std::pair<double, SiteId>;  // squared distance, site
 
 // Returns the Delaunay neighbors of every finite vertex, the nearest first.
 std::vector<std::vector<Neighbor>> neighbors_of_all(const Triangulation& t) {
-  std::vector<std::vector<SiteId>> all(t.vertex_capacity());
+  std::vector<std::vector<Neighbor>> all(t.vertex_capacity());
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
     if (!t.is_live(c)) continue;
     for (const SiteId v : t.vertices(c)) {
       for (const SiteId n : t.vertices(c)) {
-        if (n != v && n != Triangulation::kInfinite) all[v].push_back(n);
+        if (n == v || n == Triangulation::kInfinite || v == Triangulation::kInfinite) continue;
+        all[v].emplace_back(distance2(t.point(v), t.point(n)), n);
       }
     }
   }
-  std::vector<std::vector<Neighbor>> sorted(all.size());
-  for (SiteId s = 1; s < all.size(); ++s) {
-    sort_unique(all[s]);
-    for (const SiteId n : all[s]) sorted[s].push_back({n, distance2(t.point(s), t.point(n))});
-    std::ranges::stable_sort(sorted[s], {}, &Neighbor::distance2);
-  }
-  return sorted;
+  for (std::vector<Neighbor>& neighbors : all) sort_unique(neighbors);
+  return all;
 }
 
 }  // namespace
@@ -92,13 +85,13 @@ Labels::Labels(const ContourMesh& contour, const Triangulation& t)
     for (SiteId from = kNoId; from != site;) {
       from = site;
       const double furthest2 = kMaxDistanceRatio2 * best2;
-      for (const Neighbor& n : neighbors[from]) {
-        if (n.distance2 > furthest2) break;
-        const double d2 = distance2(p, t.point(n.site));
+      for (const auto& [between2, n] : neighbors[from]) {
+        if (between2 > furthest2) break;
+        const double d2 = distance2(p, t.point(n));
         // Of equally near ones the smallest id; `from` before all.
-        if (d2 > best2 || (d2 == best2 && (site == from || n.site > site))) continue;
+        if (d2 > best2 || (d2 == best2 && (site == from || n > site))) continue;
         best2 = d2;
-        site = n.site;
+        site = n;
       }
     }
     label_[v] = site;

@@ -19,6 +19,10 @@
 
 namespace deliso {
 
+namespace paper {
+enum class Reason : std::uint8_t;
+}
+
 struct Parameters;
 struct Proposal;
 class Question;
@@ -28,12 +32,8 @@ class Labels;
 
 // Why a point is inserted or an operation tried. The criteria follow, by reason_of().
 enum class Reason : std::uint8_t {
-  beginning,  // of a stage
-  region,     // Stage 1
-  interface,
-  triple,
-  boundary,
-  protrusion,
+  beginning,   // of a stage
+  protrusion,  // Stage 1; before them the conditions of the certificate, paper::Reason
   crossing,
   reversed,
   not_delaunay,  // Stage 2
@@ -69,6 +69,7 @@ class Observer {
   // The vertex `v` of T shall be a site. `asker`: the site whose test demands it; kNoId: a test of
   // all of K.
   virtual void site_asked(Reason, SiteId /*asker*/, VertexId /*v*/) {}
+  virtual void site_asked(paper::Reason, SiteId /*asker*/, VertexId /*v*/) {}
   // A point is inserted, and the cells of the zone are removed; then the point is a site, that
   // vertex.
   virtual void insertion_begins(const Vec3&, const ConflictZone&) {}

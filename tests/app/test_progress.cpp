@@ -90,7 +90,8 @@ TEST_CASE("the bar goes from 0 to 100 %, and is not there before the last stage 
 TEST_CASE("the program knows every stage that a run reports") {
   const Volume volume = make_builtin_volume("builtin:fuel:24");
   for (const char* more : {"", " --cap", " --vertices 500", " --stop-after stage1", " --paper",
-                           " --paper --single-stage", " --paper --stop-after stage1"}) {
+                           " --paper --single-stage", " --paper --stop-after stage1",
+                           " --paper --certified", " --paper --certified --stop-after stage1"}) {
     CAPTURE(more);
     CommandLine line = command_line(more);
     std::string told, known;
@@ -101,10 +102,8 @@ TEST_CASE("the program knows every stage that a run reports") {
     Stages<paper::Observer> published(stages.begins);
     Report report;
     if (line.paper) {
-      paper::Options options = published_options(line, volume);
-      options.observer = &published;
       paper::Report counts;
-      mesh_as_published(volume, 0.3, options, counts, report);
+      mesh_as_published(volume, 0.3, line, published, counts, report);
     } else {
       line.options.observer = &stages;
       mesh_isosurface(volume, 0.3, line.options, report);

@@ -37,10 +37,11 @@ bool has(std::string_view text, std::string_view part) {
 
 }  // namespace
 
-TEST_CASE("the page has every array of the events, of one length, and both programs' own") {
-  for (const bool paper : {false, true}) {
-    CAPTURE(paper);
-    const std::string page = page_of(paper ? "builtin:torus:16 --paper" : "builtin:torus:16");
+TEST_CASE("the page has every array of the events, of one length, and each program's own") {
+  for (const std::string options : {"", " --paper", " --paper --certified"}) {
+    CAPTURE(options);
+    const bool paper = !options.empty(), certified = options.ends_with(" --certified");
+    const std::string page = page_of("builtin:torus:16" + options);
     const std::string_view header = element_of(page, "header");
     CHECK(has(header, "\"kind\": \"trace\""));
     CHECK(has(header, paper ? "\"program\": \"published\"" : "\"program\": \"exact\""));
@@ -72,8 +73,8 @@ TEST_CASE("the page has every array of the events, of one length, and both progr
     // The run's counts never fall, and the page has the final mesh.
     const auto searches = array_of<std::uint32_t>(page, "event_searches");
     CHECK(std::is_sorted(searches.begin(), searches.end()));
-    CHECK(array_of<std::uint32_t>(page, "tets").size() > 0);
-    CHECK(array_of<float>(page, "contour_points").empty() == paper);
+    CHECK(array_of<std::uint32_t>(page, "tets").empty() == !paper);
+    CHECK(array_of<float>(page, "contour_points").empty() == !certified);
   }
 }
 
@@ -82,10 +83,10 @@ TEST_CASE("with --paper the page shows the published program, with its counts") 
   const std::string page = page_of(words);
   const CommandLine line = parsed("trace -o page.html " + words);
   const Volume volume = make_builtin_volume("builtin:fuel:16");
+  paper::Observer none;
   paper::Report published;
   Report report;
-  const TriMesh mesh =
-      mesh_as_published(volume, *line.isovalue, published_options(line, volume), published, report);
+  const TriMesh mesh = mesh_as_published(volume, *line.isovalue, line, none, published, report);
   const auto routine = array_of<std::uint8_t>(page, "event_routine");
   const auto vertex = array_of<std::uint32_t>(page, "event_vertex");
   const auto at_switch = std::ranges::find(routine, trace_code(Routine::build_tri_mesh));

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The counts in Tables 2 to 5 of docs/results.md, and in its table of built-in fields, are those of this
-# program: counts are the same on any machine. After a change `make tables DATA=folder` makes the page
+# The counts in Tables 2 to 5 of docs/results.md, of points at the switch, and in its table of built-in
+# fields, are those of this program: counts are the same on any machine. After a change `make tables DATA=folder` makes the page
 # anew.
 # Usage: results.sh builtin|volumes SOURCE PROGRAM
 #   volumes: those in DELISO_DATA; 77 without that
@@ -33,9 +33,14 @@ told() {
   [ "$1" = "$stands" ] || { echo "docs/results.md: $3: $4 is $1, '$2' has '$stands'"; faults=1; }
 }
 
-# run INPUT ISOVALUE LINES: sets the counts of a run.
+# run INPUT ISOVALUE LINES [OPTION...]: sets the counts of a run.
 run() {
-  "$deliso" "$1" --iso "$2" --paper --lines "$3" --verbose -o "$work/mesh.ply" | tr -d , >"$work/told"
+  input=$1
+  level=$2
+  lines_of_run=$3
+  shift 3
+  "$deliso" "$input" --iso "$level" --paper --lines "$lines_of_run" "$@" --verbose -o "$work/mesh.ply" |
+    tr -d , >"$work/told"
   # stage seconds points us/point searches/p CPI CPI*
   read -r s_0 n_rc cpi_rc cpi_rc_hit n_rf cpi_rf cpi_rf_hit vertices triangles components euler <<END
 $(awk '$1 == "initial" { printf "%s ", $3 } $1 == "recover" || $1 == "refine" { printf "%s %s %s ", $3, $6, $7 }
@@ -47,6 +52,11 @@ told_insertions() {
   told "$s_0" "$1" "$2" S₀
   told "$n_rc" "$1" "$2" n_RC
   told "$n_rf" "$1" "$2" n_RF
+}
+# told_switch ROW POINTS COMPONENTS: by their columns.
+told_switch() {
+  told "$((s_0 + n_rc))" 'Points at the switch' "$1" "$2"
+  told "$components" 'Points at the switch' "$1" "$3"
 }
 told_searches() {
   told "$cpi_rc" "$1" "$2" CPI_RC
@@ -78,6 +88,11 @@ else
     told "$triangles" 'Table 5' "$name" triangles
     told "$components" 'Table 5' "$name" components
     told "$euler" 'Table 5' "$name" 'Euler number'
+    told_switch "$name" published components
+    run "$DELISO_DATA/$file" "$isovalue" "$lines" --stop-after stage1 --certified
+    told_switch "$name" certified 'components 2'
+    run "$DELISO_DATA/$file" "$isovalue" "$lines" --stop-after stage1 --certified --eps 0.2
+    told_switch "$name" 'certified, eps' 'components 3'
   done <"$work/volumes"
 fi
 echo "$seen compared"

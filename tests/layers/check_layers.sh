@@ -22,11 +22,11 @@ allowed() {
     contour) echo "base volume delaunay mesh embedding contour" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
     surface) echo "base mesh embedding volume isosurface surface" ;;
-    recover) echo "$surface delaunay contour recover" ;;
+    recover) echo "$surface roots kdtree delaunay contour paper recover" ;;
     coarsen) echo "$surface delaunay contour coarsen" ;;
     refine) echo "$surface refine" ;;
     deliso) echo "$stages deliso" ;;
-    # As published: the primitives alone. Nothing of src/ includes it.
+    # As published: the primitives alone. Of src/ only recover includes it.
     paper) echo "base roots volume kdtree isosurface delaunay mesh paper" ;;
     blocks) echo "$surface kdtree contour coarsen refine deliso blocks" ;;
     cap) echo "$surface delaunay planar contour refine/refinement.h refine/lift_off.h cap" ;;

@@ -132,8 +132,8 @@ class Labeled {
   }
 
   // The conditions that are broken at any site.
-  std::set<Reason> broken_conditions() {
-    std::set<Reason> reasons;
+  std::set<paper::Reason> broken_conditions() {
+    std::set<paper::Reason> reasons;
     for (const VertexId v : vertex_) {
       if (v == kNoId) continue;
       if (const auto violation = check(v).violation) reasons.insert(*violation);

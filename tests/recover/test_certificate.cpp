@@ -80,7 +80,7 @@ Shape shape_of(const Drawing& d) {
 // Checks that exactly the sites of `broken` break a condition, that `site` breaks `violation`, and
 // that its verdict names the vertex `named`. After insertions as the verdicts name them, the dual
 // must be a mesh of T's topology.
-void check_broken(const Drawing& drawing, char site, Reason violation, VertexId named,
+void check_broken(const Drawing& drawing, char site, paper::Reason violation, VertexId named,
                   const std::string& broken) {
   Labeled t(shape_of(drawing));
   CHECK(t.broken() == broken);
@@ -95,7 +95,7 @@ void check_broken(const Drawing& drawing, char site, Reason violation, VertexId 
 
 // Checks that exactly the sites of `broken` break a condition, and only this one. All sites have
 // facets, but the dual is no mesh of T's topology. After the insertions it is.
-void check_alone(const Shape& shape, Reason violation, const std::string& broken) {
+void check_alone(const Shape& shape, paper::Reason violation, const std::string& broken) {
   Labeled t(shape);
   CHECK(t.broken() == broken);
   CHECK(t.broken_conditions() == std::set{violation});
@@ -122,15 +122,15 @@ TEST_CASE("where every condition holds, the dual has the topology of T") {
 // must not decide which vertex is named.
 TEST_CASE("C1: a region in two pieces breaks it; the furthest vertex of the stray piece is named") {
   const Drawing sphere{{"AbaabCcc", "abbbbccc", "abbBbccc", "abbbbccc", "abbbbccc"}, "cb"};
-  check_broken(sphere, 'A', Reason::region, sphere.at(0, 3), "ABC");
+  check_broken(sphere, 'A', paper::Reason::region, sphere.at(0, 3), "ABC");
   const Drawing disk{{"AbaabB", "abbbbb", "abbbbb", "abbbbb", "abbbbb"}, ""};
-  check_broken(disk, 'A', Reason::region, disk.at(0, 3), "AB");
+  check_broken(disk, 'A', paper::Reason::region, disk.at(0, 3), "AB");
 }
 
 // Three regions fill the hole, so that each meets the one around it in one arc.
 TEST_CASE("C1: a region with a hole breaks it") {
   const Drawing belt{{"bbCcDd", "Aaaaaa", "eeFfGg"}, "BE"};
-  check_broken(belt, 'A', Reason::region, belt.at(1, 3), "A");
+  check_broken(belt, 'A', paper::Reason::region, belt.at(1, 3), "A");
   const Drawing disk{{"Eeeeffff",  //
                       "eaaaaaaf",  //
                       "eabbccaf",  //
@@ -138,12 +138,12 @@ TEST_CASE("C1: a region with a hole breaks it") {
                       "eaaDaaaf",  //
                       "eaaAaaaF"},
                      ""};
-  check_broken(disk, 'A', Reason::region, disk.at(1, 6), "A");
+  check_broken(disk, 'A', paper::Reason::region, disk.at(1, 6), "A");
 }
 
 TEST_CASE("C2: two regions that meet twice, with other regions between, break it") {
   const Drawing sphere{{"cCcceEee", "BbAaaabb", "bbaaaabb", "dDddfFff"}, "cd"};
-  check_broken(sphere, 'A', Reason::interface, sphere.at(2, 5), "AB");
+  check_broken(sphere, 'A', paper::Reason::interface, sphere.at(2, 5), "AB");
   const Drawing disk{{"Aaaabbbb",  //
                       "aaaabbbB",  //
                       "aaeeEebb",  //
@@ -152,7 +152,7 @@ TEST_CASE("C2: two regions that meet twice, with other regions between, break it
                       "aaaabbbb",  //
                       "Dddddddd"},
                      ""};
-  check_broken(disk, 'A', Reason::interface, disk.at(5, 3), "AB");
+  check_broken(disk, 'A', paper::Reason::interface, disk.at(5, 3), "AB");
 }
 
 // Where a region on the box is a disk, its rim has an arc on the box; there two neighbors with an
@@ -160,57 +160,58 @@ TEST_CASE("C2: two regions that meet twice, with other regions between, break it
 // broken lies within, and on the box are the other two, which break C4.
 TEST_CASE("C3: three labels that meet on two triangles break it") {
   const Drawing sphere{{"AaBbcC", "aabbcc"}, "aa"};
-  check_broken(sphere, 'A', Reason::triple, sphere.pole(1), "ABC");
+  check_broken(sphere, 'A', paper::Reason::triple, sphere.pole(1), "ABC");
   const Drawing disk{{"Aaaaccc",  //
                       "aaBbbcC",  //
                       "aabbbcc",  //
                       "aaaaccc"},
                      ""};
-  check_broken(disk, 'B', Reason::triple, disk.at(3, 3), "ABC");
+  check_broken(disk, 'B', paper::Reason::triple, disk.at(3, 3), "ABC");
 }
 
 TEST_CASE("C4: a region on the box whose site is inside breaks it") {
   const Drawing disk{{"BbbccC", "baaaac", "baAaac", "baaaac"}, ""};
-  check_broken(disk, 'A', Reason::boundary, disk.at(3, 4), "A");
+  check_broken(disk, 'A', paper::Reason::boundary, disk.at(3, 4), "A");
 }
 
 TEST_CASE("C4: a region that meets the box in two arcs breaks it") {
   const Drawing disk{{"BbAacC", "bbaacc", "ddaaee", "DdaaeE"}, ""};
-  check_broken(disk, 'A', Reason::boundary, disk.at(3, 3), "A");
+  check_broken(disk, 'A', paper::Reason::boundary, disk.at(3, 3), "A");
 }
 
 TEST_CASE("C4: two regions that meet in two edges on the box break it") {
   const Drawing disk{{"AaBb", "aabb", "aabb"}, ""};
-  check_broken(disk, 'A', Reason::boundary, disk.at(2, 1), "AB");
+  check_broken(disk, 'A', paper::Reason::boundary, disk.at(2, 1), "AB");
 }
 
 // The pictures of docs/proof.md.
 TEST_CASE("C1: labels that break it alone have a dual unlike T") {
   check_alone(
       shape_of("aaaABC", {{0, 2, 3}, {2, 1, 3}, {1, 0, 4}, {0, 3, 4}, {3, 1, 5}, {1, 4, 5}}),
-      Reason::region, "A");
+      paper::Reason::region, "A");
 }
 
 TEST_CASE("C2: labels that break it alone have a dual unlike T") {
   check_alone(
       shape_of("ABCaDE",
                {{0, 2, 3}, {2, 1, 3}, {1, 0, 4}, {0, 3, 4}, {3, 1, 5}, {1, 4, 5}, {4, 3, 5}}),
-      Reason::interface, "AB");
+      paper::Reason::interface, "AB");
 }
 
 TEST_CASE("C3: labels that break it alone have a dual unlike T") {
-  check_alone(shape_of("AaBC", {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}), Reason::triple,
+  check_alone(shape_of("AaBC", {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}), paper::Reason::triple,
               "ABC");
 }
 
 TEST_CASE("C4: labels that break it alone have a dual unlike T") {
-  check_alone(shape_of("ABCbDE", {{0, 2, 1}, {1, 2, 3}, {1, 3, 4}, {4, 3, 5}}), Reason::boundary,
-              "B");
+  check_alone(shape_of("ABCbDE", {{0, 2, 1}, {1, 2, 3}, {1, 3, 4}, {4, 3, 5}}),
+              paper::Reason::boundary, "B");
 }
 
 TEST_CASE("labels without a dual facet: one region or two that are a whole sphere or disk") {
   const Triangles sphere{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, disk{{0, 1, 2}};
-  const auto check = [](const std::string& letters, const Triangles& triangles, Reason violation) {
+  const auto check = [](const std::string& letters, const Triangles& triangles,
+                        paper::Reason violation) {
     CAPTURE(letters);
     Labeled t(shape_of(letters, triangles));
     CHECK(t.dual().triangles.empty());
@@ -218,8 +219,8 @@ TEST_CASE("labels without a dual facet: one region or two that are a whole spher
     t.insert_until_certified();
     CHECK(t.fault_of_dual() == "");
   };
-  check("Aaaa", sphere, Reason::region);
-  check("AaBb", sphere, Reason::interface);
-  check("Aaa", disk, Reason::boundary);
-  check("AaB", disk, Reason::boundary);
+  check("Aaaa", sphere, paper::Reason::region);
+  check("AaBb", sphere, paper::Reason::interface);
+  check("Aaa", disk, paper::Reason::boundary);
+  check("AaB", disk, paper::Reason::boundary);
 }

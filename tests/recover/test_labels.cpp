@@ -53,22 +53,22 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14);
     Random random(seed);
-    const auto somewhere_on_t = [&] {
-      const IdArray<VertexId, Vec3>& of_t = scene.contour.points;
-      return of_t[VertexId(random.below(static_cast<std::uint32_t>(of_t.size())))];
+    const auto anywhere = [&] {
+      return scene.contour
+          .points[random.below(static_cast<std::uint32_t>(scene.contour.points.size()))];
     };
-    std::vector<Vec3> points;
-    for (int n = 0; n < 50; ++n) points.push_back(somewhere_on_t());
-    append_auxiliary(scene.volume.box(), points);
+    std::vector<Vec3> sample;
+    for (int n = 0; n < 80; ++n) sample.push_back(anywhere());
+    append_auxiliary(scene.volume.box(), sample);
     Triangulation t;
     std::vector<SiteId> ids;
-    REQUIRE(t.build(points, ids));
+    REQUIRE(t.build(sample, ids));
     Labels labels(scene.contour, t);
     check_nearest(scene.contour, labels, t);
     ConflictZone zone;
     std::vector<CellId> created;
     for (int n = 0; n < 30; ++n) {
-      const Vec3 p = somewhere_on_t();
+      const Vec3 p = anywhere();
       t.find_conflicts(p, kNoId, zone);
       if (zone.duplicate != kNoId) continue;
       const SiteId s = t.insert_in_zone(p, zone, created);
@@ -154,7 +154,7 @@ TEST_CASE("a region that is a whole torus breaks C1") {
   Certificate certificate(labels);
   std::vector<DualFacet> facets;
   const Verdict verdict = certificate.check(ids[0], 0, facets);
-  CHECK(verdict.violation == Reason::region);
+  CHECK(verdict.violation == paper::Reason::region);
   REQUIRE(verdict.insert != kNoId);
   for (const Vec3& p : scene.contour.points) {
     CHECK(distance(p, points[0]) <= distance(scene.contour.points[verdict.insert], points[0]));

@@ -36,8 +36,8 @@ std::string with_sites(std::string letters, const Triangles& triangles) {
 
 // What breaks C1 to C4 at a site, counted as recover/certificate.h says it, over all of T; but not
 // that the site is on the boundary.
-std::set<Reason> conditions_broken(const std::string& letters, const Triangles& triangles,
-                                   char site) {
+std::set<paper::Reason> conditions_broken(const std::string& letters, const Triangles& triangles,
+                                          char site) {
   const char a = static_cast<char>(std::tolower(site));
   using Names = std::set<char>;
   std::set<std::set<VertexId>> edges;
@@ -67,22 +67,22 @@ std::set<Reason> conditions_broken(const std::string& letters, const Triangles& 
   for (VertexId v = 0; v < root.size(); ++v) {
     if (letters[v] == a) pieces.insert(root[v]);
   }
-  std::set<Reason> broken;
+  std::set<paper::Reason> broken;
   const auto vertices = std::ranges::count(letters, a);
   if (pieces.size() != 1 || vertices - edges_of[{a}] + triangles_of[{a}] != 1) {
-    broken.insert(Reason::region);
+    broken.insert(paper::Reason::region);
   }
   const auto boundary_vertices = static_cast<int>(on_rim.size());
   if (boundary_vertices > 0 && boundary_vertices - rim_of[{a}] != 1) {
-    broken.insert(Reason::boundary);
+    broken.insert(paper::Reason::boundary);
   }
   for (const auto& [both, count] : edges_of) {
     if (both.size() != 2 || !both.contains(a)) continue;
-    if (count - triangles_of[both] != 1) broken.insert(Reason::interface);
-    if (rim_of[both] > 1) broken.insert(Reason::boundary);
+    if (count - triangles_of[both] != 1) broken.insert(paper::Reason::interface);
+    if (rim_of[both] > 1) broken.insert(paper::Reason::boundary);
   }
   for (const auto& [all, count] : triangles_of) {
-    if (all.size() == 3 && all.contains(a) && count > 1) broken.insert(Reason::triple);
+    if (all.size() == 3 && all.contains(a) && count > 1) broken.insert(paper::Reason::triple);
   }
   return broken;
 }
@@ -141,16 +141,16 @@ void add_labels(std::size_t n, std::size_t least, const std::string& begun,
 // Theorem 2 of docs/proof.md, and that its pictures are the smallest: there is no annulus of fewer
 // than six vertices.
 TEST_CASE("all labels of all small spheres and disks: where the certificate holds K is like T") {
-  std::map<Reason, std::size_t> smallest;  // that break this alone, with all sites in facets
-  std::map<Reason, int> told;
+  std::map<paper::Reason, std::size_t> smallest;  // that break this alone, with all sites in facets
+  std::map<paper::Reason, int> told;
   int certified = 0;
   const auto look_at = [&](const std::string& labels, const Triangles& triangles) {
     const Shape shape = shape_of(with_sites(labels, triangles), triangles);
     CAPTURE(shape.letters);
     Labeled t(shape);
-    std::set<Reason> broken;
+    std::set<paper::Reason> broken;
     for (char site = 'A'; site <= std::toupper(labels.back()); ++site) {
-      const std::set<Reason> here = conditions_broken(labels, triangles, site);
+      const std::set<paper::Reason> here = conditions_broken(labels, triangles, site);
       const auto violation = t.check(site).violation;
       const bool is_right = violation ? here.contains(*violation) : here.empty();
       if (!is_right) FAIL_CHECK("another condition is broken at " << site);
@@ -177,9 +177,11 @@ TEST_CASE("all labels of all small spheres and disks: where the certificate hold
     }
   }
   CHECK(certified > 30000);
-  for (const Reason r : {Reason::region, Reason::interface, Reason::triple, Reason::boundary}) {
+  for (const paper::Reason r : {paper::Reason::region, paper::Reason::interface,
+                                paper::Reason::triple, paper::Reason::boundary}) {
     CHECK(told[r] > 100);
   }
-  CHECK(smallest == std::map<Reason, std::size_t>{
-                        {Reason::interface, 6}, {Reason::triple, 4}, {Reason::boundary, 6}});
+  CHECK(smallest == std::map<paper::Reason, std::size_t>{{paper::Reason::interface, 6},
+                                                         {paper::Reason::triple, 4},
+                                                         {paper::Reason::boundary, 6}});
 }

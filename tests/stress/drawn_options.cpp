@@ -126,12 +126,15 @@ constexpr DrawnOption kDrawn[] = {
      kCoarser | kMoreVertices},
     {"--paper", [](Random& r, auto&) { return of_paper("--rmin=" + number(r, 0.2, 1) + "vox"); },
      kPapers},
+    {"--certified", [](Random&, auto&) { return of_paper("--certified"); }, kPapers | kCertified},
     {"--eps", [](Random& r, auto&) { return of_paper("--eps=" + number(r, 0.05, 1)); }, kPapers},
     {"--eps2", [](Random& r, auto&) { return of_paper("--eps2=" + number(r, 0.1, 1)); }, kPapers},
     {"--lines", [](Random& r, auto&) { return of_paper("--lines=" + whole(r, 0, 500)); }, kPapers},
     {"--seed", [](Random& r, auto&) { return of_paper(text("--seed=", r.below(1000))); }, kPapers},
-    {"--keep-hits", [](Random&, auto&) { return of_paper("--keep-hits"); }, kPapers},
-    {"--single-stage", [](Random&, auto&) { return of_paper("--single-stage"); }, kPapers},
+    {"--keep-hits", [](Random&, auto&) { return of_paper("--keep-hits"); },
+     kPapers | kNotCertified},
+    {"--single-stage", [](Random&, auto&) { return of_paper("--single-stage"); },
+     kPapers | kNotCertified},
     {"--solver", [](Random&, auto&) { return of_paper("--solver=isolation"); }, kPapers},
     {"--stop-after", [](Random&, auto&) { return Words{"--stop-after=stage1"}; },
      kCoarser | kAlways},
@@ -172,7 +175,10 @@ Draw draw_options(std::uint64_t seed, const OptionVolume& volume, const DrawnOpt
     const bool is_first = drawn.empty();
     if (!is_first && (option.exempt & exclude) != 0) return;
     const auto excludes = [&](const DrawnOption* other) {
-      return ((option.exempt | other->exempt) & (kPaper | kNotPaper)) == (kPaper | kNotPaper);
+      const auto are = [&](unsigned both) {
+        return ((option.exempt | other->exempt) & both) == both;
+      };
+      return are(kPaper | kNotPaper) || are(kCertified | kNotCertified);
     };
     if (std::ranges::any_of(drawn, excludes)) return;
     const Words words = option.draw(random, volume);

@@ -51,6 +51,8 @@ enum Exemption : unsigned {
   kUsual = 64,      // no exemption: drawn for most volumes that it means something for
   kNoParts = 128,   // --part excludes it: the command line is refused
   kNotPaper = 256,  // --paper excludes it, likewise
+  kCertified = 512,
+  kNotCertified = 1024,  // --certified excludes it
 };
 
 struct DrawnOption {

@@ -112,6 +112,9 @@ Outcome mesh_once(const Words& words) {
     outcome.fault = run.fault.empty() ? cap.failure : run.fault;
     // As published, the mesh is a manifold where no vertex is left without a disk.
     if (run.published.vertices_left > 0) outcome.fault.clear();
+    // Check cannot say so: it finds components by their place, and the mesh may be far from Sigma.
+    const bool certified = line.certified && run.published.uncertified_sites == 0;
+    if (certified && run.mesh != run.report.exact) outcome.fault = "certified, of another topology";
     outcome.capped = line.options.cap;
     outcome.vertices = outcome.capped ? cap.surface_vertices : outcome.mesh.points.size();
     outcome.triangles = outcome.capped ? cap.surface_triangles : outcome.mesh.faces.size();

@@ -33,12 +33,20 @@ TEST_CASE(
       ++loops;
       const std::uint32_t first = scene.contour.boundary.first[loop];
       const std::size_t n = scene.contour.boundary.chain(loop).size();
-      std::vector<CurvePlace> chain;  // the kept points, and some between
-      for (std::size_t k = 0; k < n; ++k) {
+      // A chain of the kept points, and of others where the sagitta asks for them.
+      const auto at = [&](std::size_t k) -> CurvePoint {
         const CurvePlace place{loop, static_cast<double>(k)};
+        return {place, curves.point(place)};
+      };
+      std::vector<CurvePlace> chain;
+      for (std::size_t k = 0, last = 0; k < n; ++k) {
+        const CurvePlace place = at(k).place;
         if (scene.contour.boundary.on_box_edge[first + k]) CHECK(curves.is_kept(place));
-        if (curves.is_kept(place) || k % std::min<std::size_t>(4, n / 3) == 0) {
+        const double chord = distance(at(last).point, at((k + 1) % n).point);
+        if (k == 0 || curves.is_kept(place) ||
+            curves.strays(at(last), at((k + 1) % n), 0.1 * chord)) {
           chain.push_back(place);
+          last = k;
         }
       }
       for (std::size_t k = 0; k < chain.size(); ++k) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Records Stage 1: why a vertex of T becomes a site, the vertices of T in its region, and the
-// facets of K that are removed and added.
+// Records Stage 1 by labels of T: why a vertex of T becomes a site, the vertices of T in its
+// region, and the facets of K that are removed and added.
 #include <cmath>
 
-#include "surface/parameters.h"
-#include "view/trace/recorder.h"
+#include "view/trace/recording.h"
 
 namespace deliso {
 namespace {
@@ -14,35 +13,15 @@ bool is_dual(const SiteTriangle& labels) {
   return labels[0] != labels[1] && labels[1] != labels[2] && labels[2] != labels[0];
 }
 
-Routine routine_of(Reason reason) {
-  switch (reason) {
-    case Reason::protrusion:
-      return Routine::find_protrusions;
-    case Reason::crossing:
-      return Routine::resolve_crossings;
-    case Reason::reversed:
-      return Routine::correct_reversed;
-    default:
-      return Routine::certify;
-  }
-}
-
 }  // namespace
 
-void TraceRecorder::run_begins(const Parameters& parameters, const Report& report) {
-  Recording::run_begins(report.searches_coarsen, report.searches_refine, parameters.r_min);
-}
-
-TraceEvent& TraceRecorder::asks(Routine routine, Reason reason, double value) {
-  return trace_.asks(trace_code(routine), trace_code(reason), value);
-}
-
-void TraceRecorder::labels_ready(const Labels& labels, const Box3& domain) {
+void Recording::labels_begin(const Labels& labels, const Box3& domain) {
   labels_ = &labels;
   label_ = labels.all();
   sites_begin(labels.triangulation(), domain);
   const ContourMesh& contour = labels.contour();
-  TraceEvent& event = asks(Routine::init_triangulation, Reason::beginning, 0);
+  TraceEvent& event =
+      trace_.asks(trace_code(Routine::init_triangulation), trace_code(Reason::beginning));
   for (const Triangle& t : contour.triangles) {
     const SiteTriangle sites{label_[t[0]], label_[t[1]], label_[t[2]]};
     if (is_dual(sites)) event.added.push_back(number(sites));
@@ -65,22 +44,13 @@ void TraceRecorder::labels_ready(const Labels& labels, const Box3& domain) {
   }
 }
 
-void TraceRecorder::site_asked(Reason reason, SiteId asker, VertexId v) {
+void Recording::asks_site(Routine routine, std::uint8_t reason, SiteId asker, VertexId v) {
   const double value = v == kNoId ? 0 : std::sqrt(labels_->distance2_to_site(v));
-  TraceEvent& event = asks(routine_of(reason), reason, value);
+  TraceEvent& event = trace_.asks(trace_code(routine), reason, value);
   if (asker != kNoId) event.caller[0] = number(asker);
 }
 
-void TraceRecorder::insertion_begins(const Vec3& p, const ConflictZone& zone) {
-  if (!trace_.is_full()) tell_zone(p, zone);
-}
-
-void TraceRecorder::site_added(SiteId site) {
-  if (!trace_.is_full()) show_labels(site);
-  record(TraceOutcome::done);
-}
-
-void TraceRecorder::show_labels(SiteId site) {
+void Recording::show_labels(SiteId site) {
   const Labels& labels = *labels_;
   number_sites();
   TraceEvent& event = trace_.event();

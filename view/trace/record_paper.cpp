@@ -22,7 +22,12 @@ constexpr Codes kCodes[] = {{Routine::multi_intersect, trace_code(PaperReason::s
                             {Routine::extract_manifold, trace_code(PaperReason::no_half_disk)},
                             {Routine::approximate_geom, trace_code(Criterion::h_over_r)},
                             {Routine::approximate_geom, trace_code(Criterion::r_over_l)},
-                            {Routine::approximate_geom, trace_code(PaperReason::r_over_pole)}};
+                            {Routine::approximate_geom, trace_code(PaperReason::r_over_pole)},
+                            {Routine::certify, trace_code(PaperReason::region)},
+                            {Routine::certify, trace_code(PaperReason::interface)},
+                            {Routine::certify, trace_code(PaperReason::triple)},
+                            {Routine::certify, trace_code(PaperReason::boundary)},
+                            {Routine::certify, trace_code(PaperReason::no_area)}};
 constexpr const Codes& codes_of(paper::Reason reason) {
   return kCodes[static_cast<std::size_t>(reason)];
 }
@@ -39,6 +44,10 @@ std::vector<Triangle> difference(const std::vector<Triangle>& a, const std::vect
 }
 
 }  // namespace
+
+std::uint8_t trace_code(paper::Reason reason) {
+  return codes_of(reason).reason;
+}
 
 Triangle PaperRecorder::number(Facet sigma) const {
   const SiteTriangle v = facet_vertices(del_->del(), sigma);
@@ -87,9 +96,22 @@ void PaperRecorder::asks(paper::Reason reason, Facet sigma, SiteId q, double val
   for (const Hit& hit : del_->hits(sigma)) event.hits.push_back(hit.point);
 }
 
+void PaperRecorder::labels_ready(const Labels& labels, const Box3& domain,
+                                 const paper::Report& report) {
+  run_begins(report.searches_recover, report.searches_refine, report.r_min);
+  labels_begin(labels, domain);
+}
+
+void PaperRecorder::asks_site(paper::Reason reason, SiteId q, VertexId v) {
+  outcome_ = TraceOutcome::done;
+  const auto [routine, code] = codes_of(reason);
+  if (!trace_.is_full()) Recording::asks_site(routine, code, q, v);
+}
+
 void PaperRecorder::insertion_begins(const Vec3& p, const ConflictZone& zone) {
   if (trace_.is_full()) return;
   tell_zone(p, zone);
+  if (!del_) return;
   std::vector<Triangle>& gone = trace_.event().removed;
   for (const CellId c : zone.cells) {
     for (int i = 0; i < 4; ++i) {
@@ -102,7 +124,9 @@ void PaperRecorder::insertion_begins(const Vec3& p, const ConflictZone& zone) {
 }
 
 void PaperRecorder::site_added(SiteId site) {
-  if (!trace_.is_full()) {
+  if (!trace_.is_full() && !del_) {
+    show_labels(site);
+  } else if (!trace_.is_full()) {
     number_sites();
     TraceEvent& event = trace_.event();
     event.vertex = number(site);

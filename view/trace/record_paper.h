@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Records a run of the published program: which test asked for an insertion, the Voronoi edge and
-// the conflict zone, and the facets of Del S|Sigma, in Stage 2 of T_S, that were removed and added.
+// Records a run of the published program, with either Stage 1: which test asked for an insertion,
+// the Voronoi edge and the conflict zone, and the facets of Del S|Sigma, in Stage 2 of T_S, that
+// were removed and added.
 #pragma once
 
 #include <span>
@@ -27,6 +28,8 @@ class PaperRecorder : public paper::Observer, private Recording {
   // Stage 1.
   void sample_ready(const paper::RestrictedDelaunay& del, const paper::Report& report) override;
   void asks(paper::Reason reason, Facet sigma, SiteId q, double value, const Vec3& x) override;
+  void labels_ready(const Labels& labels, const Box3& domain, const paper::Report& report) override;
+  void asks_site(paper::Reason reason, SiteId q, VertexId v) override;
   void insertion_begins(const Vec3& p, const ConflictZone& zone) override;
   void site_added(SiteId site) override;
   void recovered() override { tell_cells(); }
@@ -47,7 +50,7 @@ class PaperRecorder : public paper::Observer, private Recording {
   using Recording::number;
 
   paper::Observer* also_;
-  const paper::RestrictedDelaunay* del_ = nullptr;
+  const paper::RestrictedDelaunay* del_ = nullptr;  // null: of the certified Stage 1
   const paper::SurfaceMesh* mesh_ = nullptr;
   TraceOutcome outcome_ = TraceOutcome::done;  // of the insertion asked for
 };

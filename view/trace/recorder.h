@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "recover/labels.h"
 #include "surface/observer.h"
 #include "surface/report.h"
 #include "surface/surface_mesh.h"
@@ -28,9 +27,10 @@ class TraceRecorder : public Observer, private Recording {
   bool follows_insertions() const override { return true; }
   void run_begins(const Parameters& parameters, const Report& report) override;
 
-  // Stage 1, record_labels.cpp.
+  // Stage 1, record_sites.cpp.
   void labels_ready(const Labels& labels, const Box3& domain) override;
   void site_asked(Reason reason, SiteId asker, VertexId v) override;
+  void site_asked(paper::Reason reason, SiteId asker, VertexId v) override;
   void insertion_begins(const Vec3& p, const ConflictZone& zone) override;
   void site_added(SiteId site) override;
   void recovery_finished() override { tell_cells(); }
@@ -43,26 +43,16 @@ class TraceRecorder : public Observer, private Recording {
   void mesh_finished() override { trace_.end_mesh(); }
 
  private:
-  // T of more triangles is not shown.
-  static constexpr std::size_t kMostTriangles = 400'000;
-
   // Facets of the mesh; `new_vertex`, of a try, has no number.
   void number_mesh(const std::vector<Triangle>& facets, VertexId new_vertex,
                    std::vector<Triangle>& out) const;
-  TraceEvent& asks(Routine routine, Reason reason, double value);
   // Begins the event of an operation of Stage 2.
   void tell_question(const Question& question, Operation operation);
   // What refused it, as a line: the dual line that misses Sigma, as far as a surface point may be,
   // or the edge that would be too sharp.
   std::optional<Segment> culprit(const Proposal& proposal, Refusal refusal) const;
-  // The labels that a new site changed.
-  void show_labels(SiteId site);
 
   Observer* also_;
-  const Labels* labels_ = nullptr;
-  bool shows_contour_ = false;
-  std::vector<SiteId> label_;  // of every vertex of T, before the site that is being added
-
   const SurfaceMesh* mesh_ = nullptr;  // of Stage 2
 };
 

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "delaunay/triangulation.h"
 #include "surface/criteria.h"
 
 namespace deliso {

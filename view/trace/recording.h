@@ -12,9 +12,13 @@
 #include "base/box3.h"
 #include "delaunay/triangulation.h"
 #include "isosurface/isosurface.h"
+#include "paper/observer.h"
+#include "recover/labels.h"
 #include "view/trace/trace.h"
 
 namespace deliso {
+
+std::uint8_t trace_code(paper::Reason reason);
 
 class Recording {
  protected:
@@ -29,6 +33,12 @@ class Recording {
   void sites_begin(const Triangulation& del, const Box3& domain);
   // The switch.
   void mesh_begins(const TriMesh& mesh, SurfacePoint x);
+
+  // Stage 1 by labels of T, record_labels.cpp: their first sites; why the vertex v of T shall be
+  // one, by the test at `asker`; the labels and facets of K that a new site changed.
+  void labels_begin(const Labels& labels, const Box3& domain);
+  void asks_site(Routine routine, std::uint8_t reason, SiteId asker, VertexId v);
+  void show_labels(SiteId site);
 
   // All sites that are new; auxiliary ones have no number.
   void number_sites();
@@ -53,6 +63,9 @@ class Recording {
   Trace& trace_;
 
  private:
+  // T of more triangles is not shown.
+  static constexpr std::size_t kMostTriangles = 400'000;
+
   bool is_told(CellId c) const;
   void count_searches();
 
@@ -61,6 +74,9 @@ class Recording {
   const Triangulation* del_ = nullptr;
   Box3 domain_;
   std::vector<VertexId> numbers_;  // by site
+  const Labels* labels_ = nullptr;
+  bool shows_contour_ = false;
+  std::vector<SiteId> label_;  // of every vertex of T, before the site that is being added
   const TriMesh* mesh_ = nullptr;
   SurfacePoint surface_point_;
   IdArray<FaceId, double> distance_;  // of each facet, as Report::largest_h; 0 up to r_min

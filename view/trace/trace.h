@@ -38,16 +38,27 @@ enum class Routine : std::uint8_t {
   multi_intersect,  // this and the next two: the published program
   extract_manifold,
   approximate_geom,
-  certify,  // this and the next three: the exact program
-  find_protrusions,
+  certify,
+  find_protrusions,  // this and the next two: the exact program
   resolve_crossings,
   correct_reversed,
   build_tri_mesh,  // the switch
   count_           // then the operations of Stage 2
 };
 
-// The reasons that the published program alone has.
-enum class PaperReason : std::uint8_t { several_hits, no_disk, no_half_disk, r_over_pole, count_ };
+// The reasons that the published program alone has; `region` and after it: its certified Stage 1.
+enum class PaperReason : std::uint8_t {
+  several_hits,
+  no_disk,
+  no_half_disk,
+  r_over_pole,
+  region,
+  interface,
+  triple,
+  boundary,
+  no_area,
+  count_
+};
 
 // Of an attempt. A split is an insertion in place of that asked for; the published program has it
 // and the refusals after it.

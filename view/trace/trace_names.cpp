@@ -59,18 +59,6 @@ RoutineName routine_of(Operation operation) {
 ReasonName name_of(Reason reason) {
   constexpr ReasonName names[] = {
       {"beginning", "the stage begins; value: facets"},
-      {"region",
-       "C1: the site's region on T is no disk; value: distance of the vertex inserted "
-       "from its site"},
-      {"interface",
-       "C2: two regions do not meet in one arc; value: distance of the vertex inserted from its "
-       "site"},
-      {"triple",
-       "C3: three regions meet more than once; value: distance of the vertex inserted from its "
-       "site"},
-      {"boundary",
-       "C4: the region does not end on the box in one arc; value: distance of the vertex inserted "
-       "from its site"},
       {"protrusion",
        "a vertex of T is too far from the facets at its site; value: distance of the vertex "
        "inserted from its site"},
@@ -95,7 +83,22 @@ ReasonName name_of(PaperReason reason) {
        "a vertex of a boundary curve whose facets are no half disk that ends at its neighbors "
        "there; value: facets in D_q"},
       {"r/pole",
-       "r over the pole height is over its limit, that of --eps2; value: times the limit"}};
+       "r over the pole height is over its limit, that of --eps2; value: times the limit"},
+      {"region",
+       "C1: the site's region on T is no disk; value: distance of the vertex inserted "
+       "from its site"},
+      {"interface",
+       "C2: two regions do not meet in one arc; value: distance of the vertex inserted from its "
+       "site"},
+      {"triple",
+       "C3: three regions meet more than once; value: distance of the vertex inserted from its "
+       "site"},
+      {"boundary",
+       "C4: the region does not end on the box in one arc; value: distance of the vertex inserted "
+       "from its site"},
+      {"no area",
+       "corners of a facet of K lie on one line; value: distance of the vertex inserted from its "
+       "site"}};
   static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(PaperReason::count_));
   return names[static_cast<std::size_t>(reason)];
 }

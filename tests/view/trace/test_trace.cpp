@@ -22,6 +22,7 @@
 #include "mesh/meshes.h"
 #include "mesh/star.h"
 #include "paper/deliso.h"
+#include "recover/certified.h"
 #include "refine/refinement.h"
 #include "view/trace/record_paper.h"
 #include "view/trace/trace_names.h"
@@ -59,6 +60,15 @@ Traced traced(const Scene& scene, paper::Options options, std::size_t limit = kN
   PaperRecorder recorder(out.trace);
   options.observer = &recorder;
   out.mesh = paper::deliso(scene.volume, scene.surface.kappa(), options, out.published);
+  return out;
+}
+
+Traced traced_certified(const Scene& scene, paper::Options options, std::size_t limit = kNoLimit) {
+  Traced out;
+  out.trace = Trace(limit, false);
+  PaperRecorder recorder(out.trace);
+  options.observer = &recorder;
+  out.mesh = certified_deliso(scene.volume, scene.surface.kappa(), options, out.published);
   return out;
 }
 
@@ -421,7 +431,7 @@ TEST_CASE("what calls for an insertion of the published program is what the trac
     CAPTURE(static_cast<int>(routine));
     CHECK(asked[routine] > 0);
   }
-  for (std::uint8_t n = 0; n < static_cast<std::uint8_t>(PaperReason::count_); ++n) {
+  for (std::uint8_t n = 0; n < static_cast<std::uint8_t>(PaperReason::region); ++n) {
     CAPTURE(name_of(static_cast<PaperReason>(n)).name);
     CHECK(reasons[trace_code(static_cast<PaperReason>(n))] > 0);
   }
@@ -468,37 +478,65 @@ TEST_CASE("the worst distance of the published program's mesh after every event,
   check_worst(trace, recorder.worst);
 }
 
+// Replays the labels, and adds the reasons of all events.
+void check_labels(const Traced& run, std::set<std::uint8_t>& reasons) {
+  const Trace& trace = run.trace;
+  const TraceArrays& a = trace.arrays();
+  std::vector<std::uint32_t> label = a.contour_label;
+  REQUIRE(label.size() == a.contour_points.size() / 3);
+  REQUIRE(!label.empty());
+  std::set<std::uint32_t> sites(label.begin(), label.end());
+  for (std::size_t e = 0; e < trace.size(); ++e) {
+    reasons.insert(a.reason[e]);
+    for (const auto& [v, site] : items<2>(a.relabel, e)) {
+      CHECK(site == a.vertex[e]);
+      label[v] = site;
+      sites.insert(site);
+    }
+  }
+  for (std::size_t v = 0; v < label.size(); ++v) {
+    const Vec3 p{a.contour_points[3 * v], a.contour_points[3 * v + 1], a.contour_points[3 * v + 2]};
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t s : sites) nearest = std::min(nearest, distance(p, trace.point(s)));
+    CHECK(distance(p, trace.point(label[v])) < nearest + 1e-5);
+  }
+}
+
 TEST_CASE("labels replayed are those of the nearest site") {
-  std::set<Reason> reasons;
+  std::set<std::uint8_t> reasons, certified;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14);
-    const Traced run = traced(scene, Options{});
+    const Traced exact = traced(scene, Options{});
+    check_replay(exact);
+    check_labels(exact, reasons);
+    const Traced run = traced_certified(scene, {.r_min = 0.02});
     check_replay(run);
-    const Trace& trace = run.trace;
-    const TraceArrays& a = trace.arrays();
-    std::vector<std::uint32_t> label = a.contour_label;
-    REQUIRE(label.size() == a.contour_points.size() / 3);
-    REQUIRE(!label.empty());
-    std::set<std::uint32_t> sites(label.begin(), label.end());
-    for (std::size_t e = 0; e < trace.size(); ++e) {
-      reasons.insert(reason_of(trace, e));
-      for (const auto& [v, site] : items<2>(a.relabel, e)) {
-        CHECK(site == a.vertex[e]);
-        label[v] = site;
-        sites.insert(site);
-      }
-    }
-    for (std::size_t v = 0; v < label.size(); ++v) {
-      const Vec3 p{a.contour_points[3 * v], a.contour_points[3 * v + 1],
-                   a.contour_points[3 * v + 2]};
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const std::uint32_t s : sites) nearest = std::min(nearest, distance(p, trace.point(s)));
-      CHECK(distance(p, trace.point(label[v])) < nearest + 1e-5);
-    }
+    CHECK(check_zones(run.trace) > 0);
+    check_labels(run, certified);
+    const TraceArrays& a = run.trace.arrays();
+    CHECK(std::ranges::count_if(a.routine, [](std::uint8_t routine) {
+            return routine == trace_code(Routine::certify) ||
+                   routine == trace_code(Routine::approximate_geom);
+          }) == static_cast<std::ptrdiff_t>(run.published.insertions_recover));
   }
-  CHECK(reasons.count(Reason::region) == 1);
-  CHECK(reasons.count(Reason::interface) == 1);
+  for (const PaperReason reason : {PaperReason::region, PaperReason::interface}) {
+    CHECK(reasons.contains(trace_code(reason)));
+    CHECK(certified.contains(trace_code(reason)));
+  }
+}
+
+TEST_CASE("a traced run of the certified program is the run without, also when the trace is full") {
+  const Scene scene = wave_scene(5, 10);
+  const paper::Options options{.r_min = 0.05};
+  paper::Report report;
+  const TriMesh plain = certified_deliso(scene.volume, scene.surface.kappa(), options, report);
+  for (const std::size_t limit : {std::size_t{1}, std::size_t{20}, kNoLimit}) {
+    const Traced run = traced_certified(scene, options, limit);
+    CHECK(test::same_mesh(run.mesh, plain));
+    CHECK(run.published.searches_refine.searches == report.searches_refine.searches);
+    CHECK(run.trace.size() == std::min(limit, run.trace.events_seen()));
+  }
 }
 
 TEST_CASE("a limit keeps the first events, and counts the others") {

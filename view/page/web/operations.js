@@ -28,7 +28,7 @@ const kOperations = {
 const kCriteria = {
   beginning: { label: 'beginning', color: 0x7d7d7d, dash: 'solid' },
   ...styled(['several hits', 'no disk', 'no half disk', 'region', 'interface', 'triple', 'boundary',
-             'protrusion', 'crossing', 'reversed']
+             'no area', 'protrusion', 'crossing', 'reversed']
     .map((name) => [name, name]), 0x2a5fb0, 0x9fd0f5),
   ...styled([['h', 'distance h'], ['r/l', 'shape r/l'], ['h/r', 'h/r'], ['r/pole', 'r/pole'],
              ['r', 'size r'], ['not Delaunay', 'not Delaunay'],
