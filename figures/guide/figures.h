@@ -25,6 +25,8 @@ void draw_insert(const std::string& folder);
 void draw_operations(const std::string& folder);
 void draw_boundary(const std::string& folder);
 void draw_checking(const std::string& folder);
+// coarsen.cpp
+void draw_coarsen(const std::string& folder);
 // gates.cpp
 void draw_gates(const std::string& folder);
 // certificate.cpp

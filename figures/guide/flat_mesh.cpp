@@ -65,7 +65,7 @@ FlatContour::Regions FlatContour::regions(const std::vector<std::size_t>& sites)
     const Verdict verdict = certificate.check(ids[n], lower_[sites[n]], facets);
     if (!verdict.violation) continue;
     const Vec3& p = contour_.points[verdict.insert];
-    out.violation = Violation{sites[n], verdict.violation.value(), nearest_vertex({p.x, p.y})};
+    out.violation = Violation{sites[n], nearest_vertex({p.x, p.y})};
   }
   return out;
 }

@@ -11,7 +11,6 @@
 #include "base/vec2.h"
 #include "contour/contour.h"
 #include "guide/slice.h"
-#include "surface/observer.h"
 
 namespace deliso::guide {
 
@@ -26,7 +25,6 @@ class FlatContour {
 
   struct Violation {
     std::size_t site;
-    paper::Reason reason;
     std::size_t insert;  // the vertex that the certificate asks for
   };
   struct Regions {

@@ -76,7 +76,7 @@ constexpr double kMinApart = 0.4;
 // best in a plane.
 class Search : public Observer {
  public:
-  explicit Search(const Handed& handed) : h_(handed), mesh_(handed.recovered.mesh.mesh) {}
+  explicit Search(const Handed& handed) : h_(handed), mesh_(handed.coarsened.mesh.mesh) {}
 
   bool follows_insertions() const override { return true; }
   void operation_tried(const Question& question, Operation operation, const Proposal& change,
@@ -288,7 +288,7 @@ void draw_gates(const std::string& folder) {
   Handed h("builtin:noise:32", 127.5, {});
   Search search(h);
   h.parameters.observer = &search;
-  refine(h.recovered.mesh, h.surface, h.recovered.curves, h.recovered.samples, h.parameters,
+  refine(h.coarsened.mesh, h.surface, h.coarsened.curves, h.coarsened.samples, h.parameters,
          h.report);
   Drawing out(760, 290);
   const auto panel = [](double x) {

@@ -26,7 +26,7 @@ struct Handed {
   Isosurface surface;
   Parameters parameters;
   Report report;
-  DelaunayMesh recovered;
+  DelaunayMesh coarsened;
 
   Handed(const char* field, double isovalue, const Options& options)
       : volume(make_builtin_volume(field)),
@@ -34,7 +34,7 @@ struct Handed {
         contour(build_contour(volume, kappa)),
         surface(volume, kappa),
         parameters(resolve(options, volume)),
-        recovered(delaunay_mesh(surface, ContourMesh(contour), stage1_only(), parameters, report)) {
+        coarsened(delaunay_mesh(surface, ContourMesh(contour), stage1_only(), parameters, report)) {
   }
 };
 

@@ -32,6 +32,7 @@ constexpr Figure kFigures[] = {
     {"certificate", draw_certificate},
     {"cells", draw_cells},
     {"certified", draw_certified},
+    {"coarsen", draw_coarsen},
     {"insert", draw_insert},
     {"gates", draw_gates},
     {"operations", draw_operations},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures of whole meshes, by the renderer.
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,9 +11,9 @@
 #include "deliso/deliso.h"
 #include "deliso/options.h"
 #include "guide/figures.h"
-#include "guide/handed.h"
 #include "io/files/append_format.h"
 #include "io/volume/builtin_volume.h"
+#include "paper/observer.h"
 #include "recover/certificate.h"
 #include "recover/certified.h"
 #include "recover/labels.h"
@@ -120,6 +121,7 @@ void draw_certified(const std::string& folder) {
     for (std::size_t n = 0; n < kSites; ++n) {
       points.push_back(contour.points[(2 * n + 1) * contour.points.size() / (2 * kSites)]);
     }
+    append_auxiliary(volume.box(), points);
     std::vector<SiteId> ids;
     sites.build(points, ids);
     panels.push_back(labeled(sites, kSites));

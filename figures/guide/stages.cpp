@@ -58,7 +58,7 @@ void draw_facets(Drawing& out, const Plan& plan, const SurfaceMesh& s,
 
 void draw_insert(const std::string& folder) {
   Handed h("builtin:sphere:32", 0, {});
-  SurfaceMesh& s = h.recovered.mesh;
+  SurfaceMesh& s = h.coarsened.mesh;
   // A facet whose point encroaches upon many.
   FaceId start = 0;
   std::size_t most = 0;
@@ -107,7 +107,7 @@ void draw_insert(const std::string& folder) {
   mark_p();
   out.frame(plan.panel, "E: whose balls hold p");
 
-  Refinement r(s, h.surface, h.recovered.curves, h.parameters, h.report);
+  Refinement r(s, h.surface, h.coarsened.curves, h.parameters, h.report);
   DELISO_CHECK(!insert_point(r, Operation::surface_point, start, p));
   plan.panel = panel(514);
   out.clip_to(plan.panel);
@@ -196,8 +196,9 @@ void draw_boundary(const std::string& folder) {
       }
     }
   };
-  const auto draw_chain = [&](const Panel& panel, const BoundaryChain& chain,
-                              const IdArray<VertexId, Vec3>& points, bool with_balls) {
+  const auto draw_chain = [&](const Panel& panel, const SurfaceMesh& s, bool with_balls) {
+    const BoundaryChain& chain = s.chain;
+    const auto& points = s.mesh.points;
     for (VertexId v = 0; v < chain.vertex_capacity(); ++v) {
       if (!chain.is_boundary(v)) continue;
       const Vec3 &a = points[v], &b = points[chain.next(v)];
@@ -213,16 +214,15 @@ void draw_boundary(const std::string& folder) {
     }
   };
   background(contour);
-  const SurfaceMesh t = contour_as_mesh(h.contour);
-  draw_chain(contour, t.chain, t.mesh.points, false);
-  out.frame(contour, "of the exact contour");
+  draw_chain(contour, contour_as_mesh(h.contour), false);
+  out.frame(contour, "T: all its vertices");
   background(handed);
-  draw_chain(handed, h.recovered.mesh.chain, h.recovered.mesh.mesh.points, true);
-  out.frame(handed, "after Stage 1, with balls");
+  draw_chain(handed, h.coarsened.mesh, true);
+  out.frame(handed, "coarsened, each with its ball");
   background(refined);
-  refine(h.recovered.mesh, h.surface, h.recovered.curves, h.recovered.samples, h.parameters,
+  refine(h.coarsened.mesh, h.surface, h.coarsened.curves, h.coarsened.samples, h.parameters,
          h.report);
-  draw_chain(refined, h.recovered.mesh.chain, h.recovered.mesh.mesh.points, false);
+  draw_chain(refined, h.coarsened.mesh, false);
   out.frame(refined, "at the end");
   out.write(folder, "boundary");
 }

@@ -147,6 +147,7 @@ class Triangulation {
 // far from them.
 inline constexpr std::size_t kAuxiliaryVertices = 4;
 void append_auxiliary(const Box3& box, std::vector<Vec3>& points);
+// True if p is one of them. pre: else it is in the box.
 inline bool is_auxiliary(const Vec3& p, const Box3& box) {
   return distance2(p, box.middle()) > length2(box.size());
 }

@@ -31,6 +31,7 @@ SurfaceMesh delaunay_mesh(const Isosurface& surface, ContourMesh& contour,
   if (observer) observer->run_begins(parameters, report);
   SurfaceMesh mesh = contour_as_mesh(contour);
   contour.triangles = std::vector<Triangle>();
+  if (observer) observer->contour_ready(mesh);
   coarsen(mesh, surface, curves, parameters, report);
   if (observer) observer->mesh_handed_over(mesh);
   if (!options.stop_after_stage1) {

@@ -19,24 +19,15 @@
 
 namespace deliso {
 
-namespace paper {
-enum class Reason : std::uint8_t;
-}
-
 struct Parameters;
 struct Proposal;
 class Question;
-struct ConflictZone;
 struct SurfaceMesh;
-class Labels;
 
-// Why a point is inserted or an operation tried. The criteria follow, by reason_of().
+// Why an operation is tried. The criteria follow, by reason_of().
 enum class Reason : std::uint8_t {
-  beginning,   // of a stage
-  protrusion,  // Stage 1; before them the conditions of the certificate, paper::Reason
-  crossing,
-  reversed,
-  not_delaunay,  // Stage 2
+  beginning,  // of a stage
+  not_delaunay,
   no_surface_point,
   off_curve,
   far_point,
@@ -64,20 +55,9 @@ class Observer {
   // volume in blocks it is the block's.
   virtual void run_begins(const Parameters&, const Report&) {}
 
-  // Stage 1. The regions of the first sites are known.
-  virtual void labels_ready(const Labels&, const Box3& /*domain*/) {}
-  // The vertex `v` of T shall be a site. `asker`: the site whose test demands it; kNoId: a test of
-  // all of K.
-  virtual void site_asked(Reason, SiteId /*asker*/, VertexId /*v*/) {}
-  virtual void site_asked(paper::Reason, SiteId /*asker*/, VertexId /*v*/) {}
-  // A point is inserted, and the cells of the zone are removed; then the point is a site, that
-  // vertex.
-  virtual void insertion_begins(const Vec3&, const ConflictZone&) {}
-  virtual void site_added(SiteId /*site*/) {}
-
-  virtual void recovery_finished() {}
-
-  // Stage 2: the mesh replaces the triangulation.
+  // Stage 1: T as a mesh, which has no duals yet.
+  virtual void contour_ready(const SurfaceMesh&) {}
+  // Stage 2: T is coarsened.
   virtual void mesh_handed_over(const SurfaceMesh&) {}
   // The operation was done, or it was refused and the mesh is unchanged. The question says why it
   // was tried.

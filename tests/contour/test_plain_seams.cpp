@@ -22,7 +22,7 @@ using namespace deliso;
 
 namespace {
 
-using Segment = std::set<std::tuple<double, double, double>>;
+using EndPoints = std::set<std::tuple<double, double, double>>;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ TEST_CASE("blocks end on their common face alike, at crossings of grid edges") {
     CAPTURE(seed);
     const auto tiny = stress::make_tiny_volume(seed, 4, 9);
     const double kappa = geometric_isovalue(tiny.volume.type(), tiny.isovalue);
-    std::map<Segment, int> ends;  // of all blocks on inner faces
+    std::map<EndPoints, int> ends;  // of all blocks on inner faces
     for (const SampleBox& box : BlockGrid(tiny.volume, 2 + static_cast<int>(seed % 3)).boxes()) {
       const Volume block = samples_of(tiny.volume, box);
       ContourMesh t = fine_contour(build_contour(block, kappa), block, kappa);
@@ -52,7 +52,7 @@ TEST_CASE("blocks end on their common face alike, at crossings of grid edges") {
         const auto chain = t.boundary.chain(c);
         for (std::size_t k = 0; k < chain.size(); ++k) {
           if ((inner >> t.boundary.face[t.boundary.first[c] + k] & 1) == 0) continue;
-          Segment segment;
+          EndPoints segment;
           for (const VertexId v : {chain[k], chain[(k + 1) % chain.size()]}) {
             const Vec3& p = t.points[v];
             segment.insert({p.x, p.y, p.z});

@@ -7,8 +7,8 @@ set -eu
 cd "$1"
 
 surface="base mesh embedding volume isosurface surface"
-stages="$surface roots delaunay planar kdtree contour coarsen recover refine"
-all="$stages deliso blocks cap interfaces"
+stages="$surface roots delaunay planar kdtree contour coarsen refine"
+all="$stages deliso blocks cap interfaces recover"
 io="io/files io/volume io/filter io/mesh io/parts"
 view="view/gray view/page view/render view/trace"
 
@@ -22,13 +22,13 @@ allowed() {
     contour) echo "base volume delaunay mesh embedding contour" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
     surface) echo "base mesh embedding volume isosurface surface" ;;
-    recover) echo "$surface roots kdtree delaunay contour paper recover" ;;
     coarsen) echo "$surface delaunay contour coarsen" ;;
+    recover) echo "base roots volume kdtree isosurface delaunay mesh embedding contour paper recover" ;;
     refine) echo "$surface refine" ;;
     deliso) echo "$stages deliso" ;;
     # As published: the primitives alone. Of src/ only recover includes it.
     paper) echo "base roots volume kdtree isosurface delaunay mesh paper" ;;
-    blocks) echo "$surface kdtree contour coarsen refine deliso blocks" ;;
+    blocks) echo "$surface contour coarsen refine deliso blocks" ;;
     cap) echo "$surface delaunay planar contour refine/refinement.h refine/lift_off.h cap" ;;
     interfaces) echo "base delaunay mesh embedding volume interfaces" ;;
     .) echo "mesh_parts.h $all" ;;

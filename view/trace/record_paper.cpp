@@ -142,7 +142,7 @@ void PaperRecorder::site_added(SiteId site) {
 
 void PaperRecorder::mesh_ready(const paper::SurfaceMesh& t) {
   mesh_ = &t;
-  mesh_begins(t.mesh, [&t](FaceId f) {
+  mesh_begins(t.mesh, Routine::build_tri_mesh, [&t](FaceId f) {
     const paper::SurfaceMesh::Dual& dual = t.duals[f];
     return dual.on_sigma ? std::optional(dual.x) : std::nullopt;
   });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Records a run of the exact program: who asked for an insertion or an operation, why, and what
-// came of it.
+// Records a run of the exact program: the exact contour T, the mesh that it is coarsened to, and
+// who asked for an operation, why, and what came of it.
 #pragma once
 
 #include <optional>
@@ -27,16 +27,10 @@ class TraceRecorder : public Observer, private Recording {
   bool follows_insertions() const override { return true; }
   void run_begins(const Parameters& parameters, const Report& report) override;
 
-  // Stage 1, record_sites.cpp.
-  void labels_ready(const Labels& labels, const Box3& domain) override;
-  void site_asked(Reason reason, SiteId asker, VertexId v) override;
-  void site_asked(paper::Reason reason, SiteId asker, VertexId v) override;
-  void insertion_begins(const Vec3& p, const ConflictZone& zone) override;
-  void site_added(SiteId site) override;
-  void recovery_finished() override { tell_cells(); }
-
-  // Stage 2, record_mesh.cpp: every operation with its cavity, the new facets, and the test that
-  // refused it. Nothing is recorded before the mesh is handed over or after it is finished.
+  // Stage 1 is two events, T and what it is coarsened to.
+  void contour_ready(const SurfaceMesh& t) override;
+  // Stage 2: every operation with its cavity, the new facets, and the test that refused it. Nothing
+  // is recorded after the mesh is finished.
   void mesh_handed_over(const SurfaceMesh& s) override;
   void operation_tried(const Question& question, Operation operation, const Proposal& proposal,
                        std::optional<Refusal> refusal) override;

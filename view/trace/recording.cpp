@@ -52,14 +52,14 @@ void Recording::tell_cells() {
   }
 }
 
-void Recording::mesh_begins(const TriMesh& mesh, SurfacePoint x) {
+void Recording::mesh_begins(const TriMesh& mesh, Routine routine, SurfacePoint x) {
   mesh_ = &mesh;
   surface_point_ = std::move(x);
   std::vector<FaceId> all(mesh.faces.size());
   std::iota(all.begin(), all.end(), FaceId(0));
   update_worst({}, all);
-  count_searches();  // BuildTriMesh's are Recover's
-  trace_.switch_to(mesh);
+  count_searches();  // those so far are Stage 1's
+  trace_.put_mesh(mesh, routine);
 }
 
 void Recording::update_worst(std::span<const FaceId> gone, std::span<const FaceId> come) {

@@ -31,8 +31,8 @@ class Recording {
   void run_begins(const SearchCounters& recover, const SearchCounters& refine, double r_min);
   // Stage 1 has its first sites.
   void sites_begin(const Triangulation& del, const Box3& domain);
-  // The switch.
-  void mesh_begins(const TriMesh& mesh, SurfacePoint x);
+  // Stage 2 has its mesh, which `routine` made.
+  void mesh_begins(const TriMesh& mesh, Routine routine, SurfacePoint x);
 
   // Stage 1 by labels of T, record_labels.cpp: their first sites; why the vertex v of T shall be
   // one, by the test at `asker`; the labels and facets of K that a new site changed.

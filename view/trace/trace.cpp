@@ -120,7 +120,7 @@ void Trace::append_event(std::uint8_t outcome) {
   a.hits.begin.push_back(static_cast<std::uint32_t>(a.hits.values.size() / 3));
 }
 
-void Trace::switch_to(const TriMesh& mesh) {
+void Trace::put_mesh(const TriMesh& mesh, Routine routine) {
   follows_mesh_ = true;
   if (is_full()) {
     ++events_seen_;
@@ -131,7 +131,7 @@ void Trace::switch_to(const TriMesh& mesh) {
   std::sort(by_place.begin(), by_place.end(), [&](VertexId a, VertexId b) {
     return points_[a] == points_[b] ? a < b : is_before(points_[a], points_[b]);
   });
-  TraceEvent& e = asks(trace_code(Routine::build_tri_mesh), trace_code(Reason::beginning),
+  TraceEvent& e = asks(trace_code(routine), trace_code(Reason::beginning),
                        static_cast<double>(mesh.faces.size()));
   e.removed = complex();
   of_mesh_.clear();

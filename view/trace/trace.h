@@ -8,7 +8,8 @@
 //
 //   T1  Vertices have numbers of the trace's own, in the order in which they come. One that moves
 //       is a new one.
-//   T2  The complex is Stage 1's facets, Del S|Sigma or the dual K of the labels, and after the
+//   T2  The complex is Stage 1's facets, of T, Del S|Sigma or the dual K of the labels, and after
+//   the
 //       switch those of the mesh. That of step n is what the events before n have added, less what
 //       they have removed; each triangle removed was there, up to rotation.
 //   T3  There are no more events than the limit; those beyond are counted. What T2 says holds for
@@ -35,14 +36,13 @@ namespace deliso {
 // Who inserts, in the words of paper Figures 4, 5 and 9 (view/trace/trace_names.h explains each).
 enum class Routine : std::uint8_t {
   init_triangulation,
-  multi_intersect,  // this and the next two: the published program
+  multi_intersect,  // this and the next three: the published program
   extract_manifold,
   approximate_geom,
   certify,
-  find_protrusions,  // this and the next two: the exact program
-  resolve_crossings,
-  correct_reversed,
+  contour,         // the exact program
   build_tri_mesh,  // the switch
+  coarsen,         // that of the exact program
   count_           // then the operations of Stage 2
 };
 
@@ -139,7 +139,7 @@ struct TraceArrays {
   TraceList<std::uint32_t> removed, added, zone, star, cone, relabel;
   TraceList<float> hits;
   std::vector<std::uint32_t> tets;  // of Del S at the switch
-  // T, of the exact program, with the first site of each vertex; empty where it is too large.
+  // T, of the certified Stage 1, with the first site of each vertex; empty where it is too large.
   std::vector<float> contour_points;
   std::vector<std::uint32_t> contour_triangles, contour_label;
 };
@@ -166,10 +166,10 @@ class Trace {
   bool is_full() const { return events_seen_ >= limit_; }
   TraceArrays& arrays() { return arrays_; }
 
-  // The switch: the mesh takes the place of Stage 1's facets. Its vertices that are where Stage 1
-  // has one are that one.
-  void switch_to(const TriMesh& mesh);
-  // From the switch to the end of Stage 2 vertices of the mesh have numbers of the trace.
+  // An event: the mesh, which `routine` made, takes the place of the facets so far. Its vertices
+  // that are where there is one are that one.
+  void put_mesh(const TriMesh& mesh, Routine routine);
+  // From then to the end of Stage 2 vertices of the mesh have numbers of the trace.
   bool follows_mesh() const { return follows_mesh_; }
   std::vector<VertexId>& of_mesh() { return of_mesh_; }
   void end_mesh() { follows_mesh_ = false; }

@@ -22,15 +22,15 @@ RoutineName name_of(Routine routine) {
       {"certify", "", 1,
        "a site whose region on the exact contour T breaks one of the conditions C1 to C4 has "
        "the vertex of T inserted that is furthest from it there"},
-      {"find_protrusions", "", 1,
-       "a vertex of T that is too far from the facets at its site is inserted: a thin branch "
-       "within one region is a disk too"},
-      {"resolve_crossings", "", 1,
-       "where two facets of K cross, a vertex of T between is inserted"},
-      {"correct_reversed", "", 1, "a reversed component of K gets one vertex of T more"},
+      {"contour", "", 1,
+       "the exact contour T: a mesh with the surface's topology, and all of its vertices on the "
+       "surface"},
       {"build_tri_mesh", "4", 2,
        "BuildTriMesh: the switch. The tetrahedra are left behind, a plain mesh of triangles takes "
-       "the place of the facets"}};
+       "the place of the facets"},
+      {"coarsen", "", 1,
+       "T is coarsened: vertices are removed and moved, and edges flipped, as far as distance and "
+       "shape allow; Stage 2 begins with the mesh that this leaves"}};
   static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(Routine::count_));
   return names[static_cast<std::size_t>(routine)];
 }
@@ -59,12 +59,6 @@ RoutineName routine_of(Operation operation) {
 ReasonName name_of(Reason reason) {
   constexpr ReasonName names[] = {
       {"beginning", "the stage begins; value: facets"},
-      {"protrusion",
-       "a vertex of T is too far from the facets at its site; value: distance of the vertex "
-       "inserted from its site"},
-      {"crossing", "facets of K cross; value: distance of the vertex inserted from its site"},
-      {"reversed",
-       "a component bounds what is outside; value: distance of the vertex inserted from its site"},
       {"not Delaunay", "a vertex is in the facet's surface ball; value: circumradius"},
       {"no surface point", "the facet's dual line misses the surface; value: circumradius"},
       {"off its curve", "a boundary edge leaves its curve; value: circumradius"},

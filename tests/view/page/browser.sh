@@ -34,15 +34,16 @@ const wait = setInterval(() => {
   clearInterval(wait);
   const { view } = window.deliso, seen = new Set();
   document.querySelector('#tour button').click();
-  for (let n = 0; n < 8; ++n) {
+  const stops = view.tour.stops.length;
+  for (let n = 0; n < stops; ++n) {
     seen.add(document.querySelector('#tour strong').textContent);
-    if (n < 7) press('ArrowRight');
+    if (n < stops - 1) press('ArrowRight');
   }
   press('ArrowLeft');
   press('Escape');
   document.querySelector('#tour .term').focus();
   press('Home');
-  if (seen.size !== 8 || view.tour.on || view.event !== 0 ||
+  if (seen.size !== stops || view.tour.on || view.event !== 0 ||
       document.querySelector('.term-entry').hidden) throw new Error('the tour');
 }, 20);
 </script>

@@ -3,7 +3,6 @@
 // in a text becomes an element that shows its definition under the pointer or with the focus.
 
 const kTerms = {
-  'protrusion': 'a piece of Σ that a mesh misses',
   'isosurface': 'all points where g is κ',
   'region of a site': 'the vertices of T with that label',
   'conflict zone': 'the tetrahedra whose circumspheres hold a new point',

@@ -15,10 +15,9 @@ function styled(rows, dark, light) {
 const kOperations = {
   ...styled([['init_triangulation', 'first points'], ['multi_intersect', 'several hits'],
              ['extract_manifold', 'make disks'], ['approximate_geom', 'rough shape'],
-             ['certify', 'certify regions'], ['find_protrusions', 'protrusions'],
-             ['resolve_crossings', 'undo crossings'],
-             ['correct_reversed', 'correct reversed']], 0x2a5fb0, 0x9fd0f5),
+             ['certify', 'certify regions'], ['contour', 'exact contour']], 0x2a5fb0, 0x9fd0f5),
   build_tri_mesh: { label: 'the switch', color: 0x7d7d7d, dash: 'solid' },
+  coarsen: { label: 'coarsen', color: 0x5f5f5f, dash: 'solid' },
   ...styled([['surface_point', 'insert'], ['foot', 'insert nearby'],
              ['boundary_split', 'split boundary'], ['flip', 'flip'], ['collapse', 'collapse'],
              ['move', 'move'], ['far_point', 'insert far point'],
@@ -28,7 +27,7 @@ const kOperations = {
 const kCriteria = {
   beginning: { label: 'beginning', color: 0x7d7d7d, dash: 'solid' },
   ...styled(['several hits', 'no disk', 'no half disk', 'region', 'interface', 'triple', 'boundary',
-             'no area', 'protrusion', 'crossing', 'reversed']
+             'no area']
     .map((name) => [name, name]), 0x2a5fb0, 0x9fd0f5),
   ...styled([['h', 'distance h'], ['r/l', 'shape r/l'], ['h/r', 'h/r'], ['r/pole', 'r/pole'],
              ['r', 'size r'], ['not Delaunay', 'not Delaunay'],

@@ -7,6 +7,9 @@
 // The lists of a trace, with the numbers that an item has.
 const kLists = { removed: 3, added: 3, zone: 4, star: 3, cone: 3, hits: 3, relabel: 2 };
 
+// What puts the mesh of Stage 2 in the place of Stage 1's facets, in either program.
+const kSwitches = ['build_tri_mesh', 'coarsen'];
+
 class Trace {
   constructor({ header, arrays }) {
     this.header = header;
@@ -18,7 +21,7 @@ class Trace {
     this.count = this.whole_events();
     this.switch_at = -1;  // the event between the stages
     for (let e = 0; e < this.count && this.switch_at < 0; ++e) {
-      if (this.routine(e).name === 'build_tri_mesh') this.switch_at = e;
+      if (kSwitches.includes(this.routine(e).name)) this.switch_at = e;
     }
     this.routines_used = this.numbers_used('routine');
     this.reasons_used = this.numbers_used('reason');

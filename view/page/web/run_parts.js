@@ -13,8 +13,8 @@ class RunningNumbers {
     };
     this.ratio = element('p', { class: 'hint' });
     this.element = element('div', {}, element('table', { class: 'numbers' },
-      element('thead', {}, element('tr', {}, element('td', {}), element('th', { scope: 'col' }, 'Recover'),
-                                   element('th', { scope: 'col' }, 'Refine'))),
+      element('thead', {}, element('tr', {}, element('td', {}), element('th', { scope: 'col' }, 'Stage 1'),
+                                   element('th', { scope: 'col' }, 'Stage 2'))),
       element('tbody', {},
               row('inserted', 'points inserted', 'points inserted by the stage so far'),
               row('time', 'time per point', 'mean time of an insertion, t_RC and t_RF of Table 3'),
@@ -52,7 +52,7 @@ class RunningNumbers {
   }
 }
 
-// The exact contour T, each vertex in the region of a site: the exact program's Stage 1.
+// The exact contour T, each vertex in the region of a site: the certified Stage 1.
 class Regions {
   constructor(trace) {
     const { contour_points: points, contour_triangles: triangles, contour_label: label } = trace.arrays;

@@ -1,5 +1,5 @@
 'use strict';
-// A tour of a trace: eight stops, each at an event of this very trace.
+// A tour of a trace: its stops are events of this very trace.
 
 const kBroken = ['region', 'interface', 'triple', 'boundary', 'no disk', 'no half disk', 'several hits'];
 
@@ -22,12 +22,51 @@ function topology_at_switch({ topology, exact_topology: exact }) {
     `${counted(components, 'component', 'components')}, Euler number ${euler} and ` +
     `${counted(loops, 'boundary loop', 'boundary loops')}`;
   const is_right = ['components', 'euler', 'boundary_loops'].every((key) => topology[key] === exact[key]);
-  return is_right ? `The topology is now right, ${counts(topology)} as the surface has.`
+  return is_right ? `The topology is right, ${counts(topology)} as the surface has.`
                   : `The topology is wrong, and stays so: ${counts(topology)}, where the surface has ${counts(exact)}.`;
 }
 
 // {title, event, text, whole}: event -1, where the trace has none such; `whole`: all is in view.
 function tour_stops(trace) {
+  return [...(trace.header.program === 'published' ? published_stops : exact_stops)(trace),
+          ...stops_in_stage2(trace)];
+}
+
+function stop(title, event, text, missing, whole = false) {
+  return { title, event, text: event < 0 ? missing : text(event), whole };
+}
+
+const kNoEvents = 'The trace has no events.';
+const kNoSwitch = 'The trace ends before Stage 2 begins; there is no switch.';
+
+function exact_stops(trace) {
+  const facets = (e) => counted(trace.size('added', e), 'facet', 'facets');
+  return [
+    stop('The exact contour', trace.count > 0 ? 0 : -1, (e) =>
+      `The run begins with the exact contour T, ${facets(e)}. It has the topology of the isosurface, and its ` +
+      'vertices, the dots, lie on it.', kNoEvents, true),
+    stop('The coarsened mesh', trace.switch_at, (e) =>
+      `Stage 1 coarsens T to ${facets(e)}, as far as distance and shape allow. ` +
+      `${topology_at_switch(trace.header)} Stage 2 gives the mesh its shape.`, kNoSwitch, true),
+  ];
+}
+
+function published_stops(trace) {
+  const broken = heaviest(trace, (e) => kBroken.includes(trace.reason(e)?.name) && !trace.refused(e)
+    ? -Math.abs(trace.size('removed', e) - 8) : -Infinity);  // few enough to be seen
+  return [
+    stop('The first sites', trace.count > 0 ? 0 : -1, () =>
+      `The run begins with ${counted(trace.vertices[1], 'site', 'sites')} on the isosurface, samples of it. Each dot is one.`,
+         kNoEvents, true),
+    stop('A region that breaks a condition', broken, (e) =>
+      `${sentence(trace.reason(e).text.split('; value: ')[0])} A new site is inserted to mend it.`, 'No region broke a condition in this trace.'),
+    stop('From Recover to Refine', trace.switch_at, () =>
+      `The switch. ${topology_at_switch(trace.header)} The tetrahedra are left behind, and Refine gives the plain ` +
+      'mesh of triangles its shape.', kNoSwitch, true),
+  ];
+}
+
+function stops_in_stage2(trace) {
   const none = -Infinity;
   const value = (e) => Number.isFinite(trace.value(e)) ? trace.value(e) : 0;
   const because = (e) => trace.reason(e)?.name;
@@ -35,9 +74,6 @@ function tour_stops(trace) {
   const operation = (e) => (kOperations[trace.routine(e).name] ?? kOther).label;
   const limit = measured_criterion(trace);
   const cavity = (e) => trace.size('removed', e);
-  const broken = heaviest(trace, (e) => kBroken.includes(because(e)) && done(e)
-    ? -Math.abs(cavity(e) - 8) : none);  // few enough to be seen
-  const protrusion = heaviest(trace, (e) => because(e) === 'protrusion' && done(e) ? value(e) : none);
   const insertion = heaviest(trace, (e) => kInsertions.includes(trace.routine(e).name) &&
     done(e) && trace.vertex(e) !== kNone && cavity(e) > 0 && cavity(e) <= 12 ? cavity(e) : none);
   // What refuses it can be drawn, and few facets are around it.
@@ -47,39 +83,24 @@ function tour_stops(trace) {
   const last = trace.count - 1;
   const farthest = trace.arrays.event_worst?.[last];
   const live = trace.begin('added', trace.count) - trace.begin('removed', trace.count);
-  const stop = (title, event, text, missing, whole = false) =>
-    ({ title, event, text: event < 0 ? missing : text(event), whole });
   return [
-    stop('The first sites', last < 0 ? -1 : 0, () =>
-      `The run begins with ${counted(trace.vertices[1], 'site', 'sites')} on the isosurface, samples of it. Each dot is one.`,
-         'The trace has no events.', true),
-    stop('A region that breaks a condition', broken, (e) =>
-      `${sentence(trace.reason(e).text.split('; value: ')[0])} A new site is inserted to mend it.`, 'No region broke a condition in this trace.'),
-    stop('A protrusion', protrusion, (e) =>
-      `The mesh would miss this protrusion of the surface. A site is inserted ${rounded(value(e))} units ` +
-      'from the nearest one.', trace.header.program === 'published'
-        ? 'The published program does not look for protrusions; there is no stop here.'
-        : 'No protrusion was missed in this trace.'),
-    stop('From Recover to Refine', trace.switch_at, () =>
-      `The switch. ${topology_at_switch(trace.header)} The tetrahedra are left behind, and Refine gives the plain ` +
-      'mesh of triangles its shape.', 'The trace ends before Refine begins.', true),
     stop('An insertion with its cavity', insertion, (e) =>
       `A point is inserted. The cavity of ${counted(cavity(e), 'facet', 'facets')} goes, and a cone of ` +
       `${counted(trace.size('added', e), 'facet', 'facets')} around the point takes its place.`,
-         'No point was inserted in Refine.'),
+         'No point was inserted in Stage 2.'),
     stop('A refused insertion', refusal, (e) =>
       `The operation \u201c${operation(e)}\u201d was refused: ${trace.outcome_text(e)}` +
       `${trace.edge(e) ? ' (in red)' : ''}. Every change is tested, and the mesh stays as it was.`,
          'No insertion was refused in this trace.'),
     stop('The worst facet', worst, (e) =>
       `This facet breaks its criterion most: ${kCriteria[limit].label} is ${rounded(value(e))} times the limit.`,
-         'No facet was over a limit in Refine.'),
+         'No facet was over a limit in Stage 2.'),
     stop('Done', last, () =>
       `The finished mesh has ${counted(live, 'facet', 'facets')}, after ${counted(trace.count, 'step', 'steps')}` +
-      `: ${grouped(trace.inserted[0][trace.count])} points inserted in Recover, ` +
-      `${grouped(trace.inserted[1][trace.count])} in Refine.` + (farthest >= 0
+      `: ${grouped(trace.inserted[0][trace.count])} points inserted in Stage 1, ` +
+      `${grouped(trace.inserted[1][trace.count])} in Stage 2.` + (farthest >= 0
         ? ` The largest distance from the surface is ${rounded(farthest)}, of all facets above r_min.` : ''),
-         'The trace has no events.', true),
+         kNoEvents, true),
   ];
 }
 
@@ -98,7 +119,7 @@ class Tour {
 
   invite() {
     this.place.replaceChildren(element('p', {}, ...with_terms(this.opening)),
-      element('div', { class: 'row' }, button('Take the tour', 'A tour of eight stops', () => this.show(0))));
+      element('div', { class: 'row' }, button('Take the tour', `A tour of ${this.stops.length} stops`, () => this.show(0))));
   }
 
   show(n) {

@@ -257,8 +257,8 @@ class TraceView {
     return true;
   }
 
-  // In the exact program's Stage 1 the regions on T are what is worked on; K's facets, which cut through T,
-  // are then their edges.
+  // In the certified Stage 1 the regions on T are what is worked on; K's facets, which cut through T, are
+  // then their edges.
   arrange_surface() {
     const { regions, trace } = this;
     const surface = this.surface.layer;
@@ -328,6 +328,6 @@ class TraceView {
 
 TraceView.intro = [
   'One run of DelIso, as it went: every step inserts a point, or tries to, and says which routine ' +
-  'asked for it and why. Stage 1 works on a Delaunay triangulation of tetrahedra, Stage 2 on the ' +
-  'plain triangle mesh alone; the timeline has a lane for each routine. Click the name of a lane to ' +
-  'go to its next event.'];
+  'asked for it and why. Stage 1 coarsens the exact contour, or, as published, works on a Delaunay ' +
+  'triangulation of tetrahedra; Stage 2 works on the plain triangle mesh alone. The timeline has a lane ' +
+  'for each routine. Click the name of a lane to go to its next event.'];

@@ -7,8 +7,17 @@
 #include "base/triangle.h"
 #include "delaunay/voronoi.h"
 #include "refine/refinement.h"
+#include "surface/parameters.h"
 
 namespace deliso {
+
+void TraceRecorder::run_begins(const Parameters& parameters, const Report& report) {
+  Recording::run_begins(report.searches_coarsen, report.searches_refine, parameters.r_min);
+}
+
+void TraceRecorder::contour_ready(const SurfaceMesh& t) {
+  trace_.put_mesh(t.mesh, Routine::contour);
+}
 
 void TraceRecorder::number_mesh(const std::vector<Triangle>& facets, VertexId new_vertex,
                                 std::vector<Triangle>& out) const {
@@ -21,7 +30,7 @@ void TraceRecorder::number_mesh(const std::vector<Triangle>& facets, VertexId ne
 
 void TraceRecorder::mesh_handed_over(const SurfaceMesh& s) {
   mesh_ = &s;
-  mesh_begins(s.mesh, [&s](FaceId f) {
+  mesh_begins(s.mesh, Routine::coarsen, [&s](FaceId f) {
     const Dual& dual = s.duals[f];
     return dual.on_surface ? std::optional(dual.center) : std::nullopt;
   });
