@@ -6,14 +6,14 @@
 # for `make mutants`: ROOM (a folder of tests/, or some);
 # for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets`,
 # `make tables`, `make quality` and `make figures`: DATA (folder of volumes); for `make quality`:
-# AGAINST (another deliso program, or runs that were kept, .tsv), SEEDS, QUALITY (further options); for
+# AGAINST (another deliso program, or runs that were kept, .tsv), TURNS, QUALITY (further options); for
 # `make site`: SITE (folder), REPOSITORY (its address, which the page's links lead to).
 BUILD ?= build
 JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
 PREFIX ?= /usr/local
 OUT   ?= .
 ISO   ?=
-SEEDS ?= 5
+TURNS ?= 5
 SITE  ?= $(BUILD)/site
 DATA  ?= $(or $(DELISO_DATA),datasets)
 
@@ -107,12 +107,12 @@ tables:
 	@sh bench/write_results.sh $(BUILD) docs '$(DATA)'
 
 # What the meshes of the volumes in DATA and of built-in fields are worth, beside AGAINST: medians and
-# ranges over SEEDS. All runs go to BUILD/quality.tsv, which a later AGAINST may name when copied.
+# ranges over TURNS. All runs go to BUILD/quality.tsv, which a later AGAINST may name when copied.
 quality:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app quality
 	@$(BUILD)/bench/quality --program $(BUILD)/deliso $(if $(AGAINST),--against '$(AGAINST)') \
-	  --data '$(DATA)' --seeds $(SEEDS) --runs $(BUILD)/quality.tsv --markdown $(QUALITY)
+	  --data '$(DATA)' --turns $(TURNS) --runs $(BUILD)/quality.tsv --markdown $(QUALITY)
 
 # Whether the tests of a primitive find a wrong one: each patch of bench/mutants in turn, in a copy of
 # the sources, against the tests of its room. Lists those that survive.

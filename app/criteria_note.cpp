@@ -65,8 +65,8 @@ std::optional<Criteria> noted_criteria(std::span<const std::string> comments) {
 std::string criteria_note(const CommandLine& line, const Volume& volume) {
   const Options& options = line.options;
   const std::string field = field_note(line.field, volume);
-  if (options.stop_after_recover) {
-    return text(kProgram, " ", kVersion, " stop-after=recover", field);
+  if (options.stop_after_stage1) {
+    return text(kProgram, " ", kVersion, " stop-after=stage1", field);
   }
   const double voxel = volume.voxel();
   // Lengths that were given in voxels stay as they are, to the last digit.

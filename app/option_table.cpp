@@ -217,6 +217,8 @@ constexpr OptionSpec kRest[] = {
          throw InputError(o, " must be at most ", paper::kMostLines);
        }
      }},
+    {"--seed", 0, "N", kMeshAndTrace, "with --paper: of all random numbers (default 1)",
+     [](Line& l, Text o, Text v) { l.published.seed = parse_count(o, v); }},
     {"--keep-hits", 0, "", kMeshAndTrace,
      "with --paper: Recover searches only facets at the new vertex, not every new facet",
      [](Line& l, Text, Text) { l.published.keep_hits = true; }},
@@ -231,10 +233,6 @@ constexpr OptionSpec kRest[] = {
      "only the N largest components; with --cap dissolve what the others bound",
      [](Line& l, Text o, Text v) { l.options.components.largest = parse_count(o, v, 1); },
      "the mesh was made with it"},
-    {"--samples", 0, "N", kMeshAndTrace, "random points to begin with (default 50)",
-     [](Line& l, Text o, Text v) { l.options.samples = parse_count(o, v); }},
-    {"--seed", 0, "N", kMeshAndTrace, "of all random numbers (default 1)",
-     [](Line& l, Text o, Text v) { l.options.seed = parse_count(o, v); }},
     {"--max-vertices", 0, "N", kMeshAndTrace, "stop with an error beyond N vertices",
      [](Line& l, Text o, Text v) { l.options.max_vertices = parse_count(o, v, 4); }},
     {"--block-side", 0, "N", kAllMeshing,
@@ -251,15 +249,11 @@ constexpr OptionSpec kRest[] = {
      [](Line& l, Text o, Text v) {
        l.options.threads = static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 1), 1024));
      }},
-    {"--fingers", 0, "X|Xvox", kMeshAndTrace,
-     "no point of the exact contour further than X from the mesh of stage 1 (default 0.4vox); at "
-     "the tips of thin branches, which stage 2 cannot mend, no further than 0.2vox; a smaller X "
-     "takes longer",
-     [](Line& l, Text o, Text v) { l.options.fingers = parse_length(o, v, Length::Unit::world); }},
-    {"--stop-after", 0, "recover", kMeshAndTrace, "write the mesh as stage 1 leaves it",
+    {"--stop-after", 0, "stage1", kMeshAndTrace,
+     "write the mesh as stage 1 leaves it: the coarsened contour; with --paper, what Recover found",
      [](Line& l, Text o, Text v) {
-       require(o, v, "recover");
-       l.options.stop_after_recover = true;
+       require(o, v, "stage1");
+       l.options.stop_after_stage1 = true;
      }},
     {"--cap", 0, "", kMeshAndCheck, "close the surface on the volume's box: a watertight solid",
      [](Line& l, Text, Text) { l.options.cap = true; }, "the mesh was made with it"},

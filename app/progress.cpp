@@ -48,22 +48,22 @@ std::string time_text(double seconds) {
 
 std::vector<StageCost> mesh_stages(const CommandLine& line) {
   const Options& options = line.options;
-  const bool has_contour = !line.paper || line.certified;
-  const bool refines = !options.stop_after_recover;
+  const bool exact = !line.paper;
+  const bool refines = !options.stop_after_stage1;
   const bool examined = !line.quiet || line.check || !line.json.empty();
   const std::pair<bool, StageCost> all[] = {{true, {"reading", 1}},
-                                            {has_contour, {"contour", 4, "blocks"}},
-                                            {!line.paper, {"cutting", 4, "blocks"}},
-                                            {true, {"initial", 3, "blocks"}},
-                                            {!line.paper, {"labels", 4, "blocks"}},
-                                            {true, {"recover", 20, "blocks"}},
-                                            {line.paper && refines, {"poles", 2}},
-                                            {refines, {"refine", 45, "blocks"}},
-                                            {!line.paper, {"weld", 1}},
-                                            {refines && !line.paper, {"seams", 6}},
-                                            {refines && by_count(options), {"coarsen", 20}},
+                                            {exact || line.certified, {"contour", 4, "blocks"}},
+                                            {exact, {"cutting", 2, "blocks"}},
+                                            {exact, {"coarsen", 45, "blocks"}},
+                                            {!exact, {"initial", 3}},
+                                            {!exact, {"recover", 20}},
+                                            {!exact && refines, {"poles", 2}},
+                                            {refines, {"refine", exact ? 22.0 : 45.0, "blocks"}},
+                                            {exact, {"weld", 1}},
+                                            {refines && exact, {"seams", 6}},
+                                            {refines && by_count(options), {"thin", 40}},
                                             {options.cap, {"cap", 3}},
-                                            {examined, {"check", line.check ? 150.0 : 18.0}},
+                                            {examined, {"check", line.check ? 150.0 : 6.0}},
                                             {!line.output.empty(), {"writing", 1}}};
   std::vector<StageCost> stages;
   for (const auto& [is_run, stage] : all) {

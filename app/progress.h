@@ -46,7 +46,7 @@ class ProgressModel {
   double total_ = 0, reached_ = 0;
 };
 
-// Returns "[####......]  42 %  recover  0:07, 0:09 left" or the like, without an end of
+// Returns "[####......]  42 %  coarsen  0:07, 0:09 left" or the like, without an end of
 // line. The time left is told after some seconds, as if the rest went like what is done. The line
 // is at most columns - 1 wide; a narrow terminal has a shorter bar, or none.
 std::string progress_line(std::string_view stage, double share, double seconds, int columns,

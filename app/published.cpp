@@ -47,8 +47,7 @@ paper::Options published_options(const CommandLine& line, const Volume& volume) 
   options.epsilon1 = given.limits[Criterion::h_over_r].value;
   options.lambda = given.limits[Criterion::r_over_l].value;
   options.r_min = given.r_min.in(volume) / volume.box().smallest_side();
-  options.seed = given.seed;
-  options.stop_after_recover = given.stop_after_recover;
+  options.stop_after_recover = given.stop_after_stage1;
   options.max_vertices = given.max_vertices;
   return options;
 }
@@ -62,14 +61,9 @@ TriMesh mesh_as_published(const Volume& volume, double isovalue, const CommandLi
   report.kappa_effective = published.kappa;
   report.r_min = published.r_min;
   report.seconds_contour = published.seconds_contour;
-  report.seconds_init = published.seconds_init;
-  report.seconds_recover = published.seconds_recover;
   report.seconds_refine = published.seconds_refine;
   report.seconds_total = published.seconds_total;
-  report.points_initial = published.points_initial();
-  report.points_recovered = published.points_initial() + published.insertions_recover;
   report.insertions_refine = published.insertions_refine;
-  report.searches_recover = published.searches_recover;
   report.searches_refine = published.searches_refine;
   report.vertices_refined = mesh.points.size();
   report.triangles_refined = mesh.faces.size();
@@ -95,6 +89,7 @@ void add_published(ReportWriter& out, const CommandLine& line, const paper::Repo
   out.add("eps", options.epsilon, "the limit of h/r in Recover; null: none", Rule::nullable);
   out.add("eps2", options.epsilon2, "the limit of r over pole height in Refine");
   out.add("lines", options.lines, "random lines of InitTriangulation");
+  out.add("seed", options.seed, "of what is random");
   out.add_choice("solver", static_cast<std::size_t>(options.solver), solvers, "of cubics");
   out.add("keep_hits", options.keep_hits, "only facets at a new vertex are searched");
   out.add("single_stage", options.single_stage, "all refinement in three dimensions");

@@ -42,8 +42,6 @@ void add_length(ReportWriter& out, std::string_view key, const Length& length,
 void add_options(ReportWriter& out, const CommandLine& line) {
   const Options& options = line.options;
   out.open("options", "by what the mesh was asked for");
-  add_length(out, "fingers", options.fingers,
-             "how far the surface may be from the mesh of Stage 1");
   for (std::size_t n = 0; n < kCriteria; ++n) {
     std::string key(kCriterionTable[n].name);
     std::ranges::replace(key, '-', '_');
@@ -63,13 +61,11 @@ void add_options(ReportWriter& out, const CommandLine& line) {
   out.optional(options.target_triangles != Options::kNoTarget)
       .add("triangles", options.target_triangles,
            "with --triangles: how many are wanted, caps left out");
-  out.add("seed", options.seed, "of what is random");
-  out.add("samples", options.samples, "random points to begin with");
   out.add("min_component", options.components.min_voxels,
           "smaller components are left out; voxels");
   out.add("largest", options.components.largest, "only this many components, the largest; 0: all");
   out.add("threads", options.threads, "as given, or as many as the machine has");
-  out.add("stop_after_recover", options.stop_after_recover, "Stage 1 alone");
+  out.add("stop_after_stage1", options.stop_after_stage1, "Stage 1 alone");
   out.add("cap", options.cap, "closed on the box");
   out.close();
 }
@@ -82,9 +78,11 @@ void add_seconds(ReportWriter& out, const MeshRun& run) {
   const bool paper = run.line.paper;
   out.optional(paper).add_seconds("tree", run.published.seconds_tree, "--paper: the min/max tree");
   out.add_seconds("contour", report.seconds_contour, "the exact contour and its boundary curves");
-  out.add_seconds("init", report.seconds_init, "the first points");
-  out.add_seconds("labels", report.seconds_labels, "whose the contour's vertices are");
-  out.add_seconds("recover", report.seconds_recover, "the rest of Stage 1");
+  out.optional(!paper).add_seconds("coarsen", report.seconds_coarsen,
+                                   "Stage 1: vertices of the contour that are not needed go");
+  out.optional(paper).add_seconds("init", run.published.seconds_init, "--paper: the first points");
+  out.optional(paper).add_seconds("recover", run.published.seconds_recover,
+                                  "--paper: the rest of Stage 1");
   out.optional(paper).add_seconds("poles", run.published.seconds_poles, "--paper: pole heights");
   out.add_seconds("refine", report.seconds_refine, "Stage 2");
   out.add_seconds("meshing", report.seconds_total, "all that makes the mesh");
@@ -203,13 +201,20 @@ void add_run(ReportWriter& out, const MeshRun& run) {
   add_options(out, run.line);
   if (out.if_any(run.line.paper)) add_published(out, run.line, run.published);
   add_seconds(out, run);
+  const bool paper = run.line.paper;
   out.open("points", "how many points there were when");
-  out.add("initial", report.points_initial, "to begin with");
-  out.add("recovered", report.points_recovered, "when Stage 1 ended");
-  out.add("insertions_recover", report.insertions_recover(), "in Stage 1");
+  out.optional(!paper).add("coarsened", report.vertices_coarsened, "when Stage 1 ended");
+  out.optional(paper).add("initial", run.published.points_initial(), "--paper: to begin with");
+  out.optional(paper).add("insertions_recover", run.published.insertions_recover,
+                          "--paper: in Stage 1");
   out.add("insertions_refine", report.insertions_refine, "in Stage 2");
   out.close();
-  add_searches(out, "searches_recover", report.searches_recover, "of Stage 1");
+  if (out.if_any(!paper)) {
+    add_searches(out, "searches_coarsen", report.searches_coarsen, "of Stage 1");
+  }
+  if (out.if_any(paper)) {
+    add_searches(out, "searches_recover", run.published.searches_recover, "--paper: of Stage 1");
+  }
   add_searches(out, "searches_refine", report.searches_refine, "of Stage 2");
   out.add("max_distance", report.max_distance,
           "D when Stage 2 ended: as asked for, or as far as --vertices allows, null: none; scaled "

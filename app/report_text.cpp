@@ -68,12 +68,17 @@ void append_stages(std::string& text, const MeshRun& run) {
   append_step(text, "filter", run.input.field.seconds);
   append_step(text, "kd-tree", run.published.seconds_tree);
   append_step(text, "exact contour", report.seconds_contour);
-  append_format(text, "  %-14s %9.3f %11s\n", "initial", report.seconds_init,
-                grouped(report.points_initial).c_str());
-  append_step(text, "labels", report.seconds_labels);
-  append_stage(text, "recover", report.seconds_recover, report.insertions_recover(),
-               report.searches_recover);
-  append_step(text, "poles", run.published.seconds_poles);
+  if (run.line.paper) {
+    const paper::Report& published = run.published;
+    append_format(text, "  %-14s %9.3f %11s\n", "initial", published.seconds_init,
+                  grouped(published.points_initial()).c_str());
+    append_stage(text, "recover", published.seconds_recover, published.insertions_recover,
+                 published.searches_recover);
+    append_step(text, "poles", published.seconds_poles);
+  } else {
+    append_stage(text, "coarsen", report.seconds_coarsen, report.vertices_coarsened,
+                 report.searches_coarsen);
+  }
   append_stage(text, "refine", report.seconds_refine, report.insertions_refine,
                report.searches_refine);
   append_step(text, "cap", report.seconds_cap);
@@ -118,13 +123,13 @@ std::string verdict_text(const MeshRun& run) {
   const Options& options = run.line.options;
   const bool is_all = options.components.is_all();
   const bool is_other = !run.fault.empty() || (is_all && run.mesh != report.exact);
-  const std::uint64_t crossings = run.written.crossings + report[Counter::crossings_handed_over];
   std::string lines =
       text("verdict   ",
            is_other ? "another topology than the surface's"
            : is_all ? "exact topology"
                     : "only the components asked for",
-           crossings > 0    ? "; " + counted(crossings, "crossing pair") + " of triangles"
+           run.written.crossings > 0
+               ? "; " + counted(run.written.crossings, "crossing pair") + " of triangles"
            : run.line.paper ? "; crossings are not looked for"
                             : ", no crossings",
            "\n");
@@ -142,8 +147,6 @@ std::string verdict_text(const MeshRun& run) {
                                       counted(run.triangles, "triangle"), " over a limit"));
   add(Counter::points_far,
       counted(report[Counter::points_far], "point") + " of the surface further than 2 D");
-  add(Counter::uncertified_sites, counted(report[Counter::uncertified_sites], "place") +
-                                      " where the proof of the topology fails");
   const std::size_t needles = run.close.needles.size(), folds = run.close.folds.size(),
                     near = run.close.near.size();
   add_line(needles,
@@ -186,9 +189,8 @@ std::string report_text(const MeshRun& run) {
     const std::size_t sites = p.points_initial() + p.insertions_certified;
     lines += text("certified with ", counted(sites, "site"), ", of ",
                   counted(p.contour_vertices, "vertex", "vertices"), " of the contour");
-    if (report.points_recovered > sites) {
-      lines += text("; ", grouped(report.points_recovered), " sites in the end");
-    }
+    const std::size_t in_the_end = p.points_initial() + p.insertions_recover;
+    if (in_the_end > sites) lines += text("; ", grouped(in_the_end), " sites in the end");
     if (p.uncertified_sites > 0) lines += text("; not at ", grouped(p.uncertified_sites));
     lines += "\n";
   }
@@ -231,7 +233,7 @@ std::string report_text(const MeshRun& run) {
     const double lambda = options.limits[Criterion::r_over_l].value;
     lines += quality_text(run.quality, lambda, report.r_min, verbose);
   }
-  const bool refined = !options.stop_after_recover && !run.line.paper;
+  const bool refined = !options.stop_after_stage1 && !run.line.paper;
   if (run.triangles > 0 && refined) {
     lines += distance_text(options, report, run.input.volume().voxel(), verbose);
   }

@@ -194,14 +194,6 @@ std::string trace_header(const CommandLine& line, const Input& input, const Repo
   // Stage 2 keeps the topology, so that of the mesh is also Stage 1's.
   add_topology(json, "topology", mesh);
   if (line.options.components.is_all()) add_topology(json, "exact_topology", report.exact);
-  json.add("points_initial", report.points_initial);
-  json.add("insertions_recover", report.insertions_recover());
-  json.add("insertions_refine", report.insertions_refine);
-  if (line.trace_times) {
-    json.add("seconds_init", report.seconds_init + report.seconds_labels);
-    json.add("seconds_recover", report.seconds_recover);
-    json.add("seconds_refine", report.seconds_refine);
-  }
   json.add("dims", {double(dims.i), double(dims.j), double(dims.k)});
   json.add("spacing", {spacing.x, spacing.y, spacing.z});
   json.add("origin", {0, 0, 0});

@@ -44,7 +44,7 @@ Parameters parameters_for(std::size_t count, double area, const Volume& volume) 
 
 Options only_stage1() {
   Options options;
-  options.stop_after_recover = true;
+  options.stop_after_stage1 = true;
   return options;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What meshes are worth: volumes x options x seeds, meshed by a program and measured by this
+// What meshes are worth: volumes x options x turns, meshed by a program and measured by this
 // build's check; medians and ranges, beside those of another build. `make quality` runs it.
 #include <unistd.h>
 
@@ -25,6 +25,7 @@
 #include "support/quality.h"
 #include "support/quality_table.h"
 #include "support/run_program.h"
+#include "support/turned.h"
 
 using namespace deliso;
 
@@ -33,14 +34,15 @@ namespace {
 constexpr const char* kHelp =
     "usage: quality --program DELISO [--against DELISO|RUNS.tsv] [options]\n"
     "       quality --table RUNS.tsv [AGAINST.tsv]\n\n"
-    "Meshes volumes with several seeds and measures the meshes by this build's check: medians\n"
+    "Meshes volumes in several quarter turns and measures the meshes by this build's check: "
+    "medians\n"
     "and ranges, beside those of another program, or of runs that were kept.\n\n"
     "  --program FILE      the deliso program that makes the meshes\n"
     "  --against FILE      another one, which takes turns with it; or a file of runs (.tsv)\n"
     "  --runs FILE         where all runs go, as text parted by tabs\n"
     "  --data FOLDER       where the volumes are (NAME.nhdr; default: $DELISO_DATA)\n"
     "  --only A,B          these volumes only, by name; any built-in NAME:SIZE\n"
-    "  --seeds N           as many runs of each, with seeds 1 to N (default 5)\n"
+    "  --turns N           as many runs of each, the volume turned otherwise for each (default 5)\n"
     "  --options 'A B ...' options of the program; again: further settings (default: none)\n"
     "  --paper             --options --paper\n"
     "  --markdown, --csv   instead of aligned text\n";
@@ -51,7 +53,7 @@ constexpr unsigned kLimit = 1800;
 struct Arguments {
   std::vector<std::string> programs, kept, only, options;
   std::string runs, data;
-  std::uint64_t seeds = 5;
+  std::uint64_t turns = 5;
   TableFormat format = TableFormat::text;
 };
 
@@ -127,9 +129,11 @@ Arguments parse(int argc, char** argv) {
       a.only = split(value, ',');
     } else if (option == "--options") {
       a.options.push_back(value);
-    } else if (option == "--seeds") {
-      a.seeds = std::strtoull(value.c_str(), nullptr, 10);
-      if (a.seeds == 0 || a.seeds > 1000) throw InputError("--seeds " + value + ": not 1 to 1000");
+    } else if (option == "--turns") {
+      a.turns = std::strtoull(value.c_str(), nullptr, 10);
+      if (a.turns == 0 || a.turns > kTurns) {
+        throw InputError(text("--turns ", value, ": not 1 to ", kTurns));
+      }
     } else {
       throw InputError(option + ": unknown option");
     }
@@ -196,23 +200,48 @@ Options published_criteria() {
   return options;
 }
 
-QualityRun run(const std::string& program, const Subject& subject, const Volume& volume,
-               const std::string& options, std::uint64_t seed, const TemporaryFolder& folder) {
+// A turned volume and its file, without a header.
+struct Turned {
+  std::uint64_t turn;
+  Volume volume;
+  std::string path;
+};
+
+Turned write_turned(const Volume& volume, std::uint64_t turn, const TemporaryFolder& folder) {
+  Turned out{turn, turned(volume, turn), folder / "volume.raw"};
+  std::ofstream file(out.path, std::ios::binary);
+  out.volume.visit([&](const auto* samples) {
+    file.write(reinterpret_cast<const char*>(samples),
+               static_cast<std::streamsize>(volume.sample_count() * sizeof *samples));
+  });
+  if (!file.flush()) throw InputError(out.path + ": cannot be written");
+  return out;
+}
+
+QualityRun run(const std::string& program, const Subject& subject, const Turned& turned,
+               const std::string& options, const TemporaryFolder& folder) {
+  const Index3 n = turned.volume.dims();
+  const Vec3 s = turned.volume.spacing();
   const std::string mesh = folder / "mesh.ply", json = folder / "report.json";
   std::filesystem::remove(mesh);
   std::filesystem::remove(json);
-  std::vector<std::string> words{program,     subject.input, "--iso",  text(subject.isovalue),
-                                 "--seed",    text(seed),    "--json", json,
-                                 "--threads", "1",           "-q",     "-o",
+  std::vector<std::string> words{program,     turned.path,
+                                 "--iso",     text(subject.isovalue),
+                                 "--dims",    text(n.i, "x", n.j, "x", n.k),
+                                 "--type",    std::string(name_of(turned.volume.type())),
+                                 "--spacing", text(s.x, ",", s.y, ",", s.z),
+                                 "--json",    json,
+                                 "--threads", "1",
+                                 "-q",        "-o",
                                  mesh};
   const std::vector<std::string> given = split(options, ' ');
   words.insert(words.end(), given.begin(), given.end());
   const Ended ended = run_program(words, kLimit);
 
-  QualityRun run{{}, subject.name, options, seed, {}};
+  QualityRun run{{}, subject.name, options, turned.turn, {}};
   if (ended.status < 2 && std::filesystem::exists(mesh)) {
     const bool as_published = std::find(given.begin(), given.end(), "--paper") != given.end();
-    run.measured = measure(read_mesh(mesh), volume, subject.isovalue,
+    run.measured = measure(read_mesh(mesh), turned.volume, subject.isovalue,
                            as_published ? published_criteria() : Options{}, hardware_threads());
     std::ifstream in(json);
     const std::string report((std::istreambuf_iterator<char>(in)), {});
@@ -220,8 +249,8 @@ QualityRun run(const std::string& program, const Subject& subject, const Volume&
         reported(report, as_published ? "facets_unrefined" : "unrefined_facets");
     run.measured[Metric::points_left] = reported(report, "points_far");
   } else {
-    std::fprintf(stderr, "%s: %s, seed %d: no mesh, status %d\n", program.c_str(),
-                 subject.name.c_str(), static_cast<int>(seed), ended.status);
+    std::fprintf(stderr, "%s: %s, turn %d: no mesh, status %d\n", program.c_str(),
+                 subject.name.c_str(), static_cast<int>(turned.turn), ended.status);
     run.measured[Metric::failed] = 1;
   }
   run.measured[Metric::user_seconds] = ended.user_seconds;
@@ -252,11 +281,13 @@ std::vector<QualityRun> run_all(const Arguments& arguments) {
     if (volume.frame() != Frame{}) {
       throw InputError(subject.input + ": has a frame of its own; meshes are measured without one");
     }
-    for (const std::string& options : arguments.options) {
-      std::fprintf(stderr, "%s %s\n", subject.name.c_str(), options.c_str());
-      for (std::uint64_t seed = 1; seed <= arguments.seeds; ++seed) {
+    for (std::uint64_t turn = 0; turn < arguments.turns; ++turn) {
+      const Turned turned = write_turned(volume, turn, folder);
+      for (const std::string& options : arguments.options) {
+        std::fprintf(stderr, "%s, turn %d %s\n", subject.name.c_str(), static_cast<int>(turn),
+                     options.c_str());
         for (std::size_t p = 0; p < arguments.programs.size(); ++p) {
-          runs.push_back(run(arguments.programs[p], subject, volume, options, seed, folder));
+          runs.push_back(run(arguments.programs[p], subject, turned, options, folder));
           runs.back().build = names[p];
           if (file.is_open()) file << line_of(runs.back()) << std::flush;
         }

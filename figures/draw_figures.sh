@@ -173,7 +173,7 @@ END
 
 section 'Figure 6: ENGINE at the end | after Recover' ENGINE
 published_of ENGINE engine.ply
-published_of ENGINE engine-recover.ply --stop-after recover
+published_of ENGINE engine-recover.ply --stop-after stage1
 figure 06-engine ENGINE '--view 210,25' --size 1200x560 <<'END'
 
 The paper has 108,233 | 23,291 vertices. After the first stage edges are cut across; the second brings the bolts, the
@@ -193,7 +193,7 @@ fi
 
 section 'Figure 7: LEG at the end | after Recover' LEG
 published_of LEG leg.ply
-published_of LEG leg-recover.ply --stop-after recover
+published_of LEG leg-recover.ply --stop-after stage1
 figure 07-leg LEG '--view 30,20' --size 900x700 --edges on <<'END'
 
 The paper has 121,074 | 38,889 vertices. The voxels are four times as high as wide; the surface is cut by the box at the
@@ -202,7 +202,7 @@ END
 
 section 'Figure 8: TOOTH at the end | after Recover, clipped' TOOTH
 published_of TOOTH tooth.ply
-published_of TOOTH tooth-recover.ply --stop-after recover
+published_of TOOTH tooth-recover.ply --stop-after stage1
 figure 08-tooth TOOTH '--view 30,25' --size 900x720 --edges on --clip x:0.5 <<'END'
 
 The paper has 19,658 | 5,416 vertices, of other samples. The half towards the eye is taken away. The pulp chamber is seen

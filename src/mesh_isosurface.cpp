@@ -46,7 +46,7 @@ TriMesh finish(Block whole, const VolumeSource& source, const std::optional<Diss
   if (options.cap || parameters.has_target()) at.emplace(all_of(source), kappa);
   report.exact = joined(whole.components, source.shape.dims()).topology;
   count_unrefined(whole.mesh, parameters, report);
-  if (parameters.has_target() && !options.stop_after_recover) {
+  if (parameters.has_target() && !options.stop_after_stage1) {
     coarsen_to_target(whole.mesh, at->surface, {at->surface, whole.loops}, whole.samples,
                       parameters, report);
   }

@@ -17,7 +17,7 @@
 namespace deliso {
 namespace {
 
-constexpr std::array<std::string_view, 4> kLabels{"build", "volume", "options", "seed"};
+constexpr std::array<std::string_view, 4> kLabels{"build", "volume", "options", "turn"};
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> fields(1);
@@ -118,7 +118,7 @@ std::string header_of_runs() {
 }
 
 std::string line_of(const QualityRun& run) {
-  std::string line = text(run.build, "\t", run.volume, "\t", run.options, "\t", run.seed);
+  std::string line = text(run.build, "\t", run.volume, "\t", run.options, "\t", run.turn);
   for (const double value : run.measured.values) {
     char digits[32] = "-";
     if (value == value) std::snprintf(digits, sizeof digits, "%.9g", value);
@@ -151,7 +151,7 @@ std::vector<QualityRun> read_runs(const std::string& path) {
       if (!value) {
         throw InputError(text(path, " line ", number, ": '", fields[c], "' is not a number"));
       }
-      if (c == 3) run.seed = static_cast<std::uint64_t>(*value);
+      if (c == 3) run.turn = static_cast<std::uint64_t>(*value);
       const auto row = std::find_if(kMetricTable.begin(), kMetricTable.end(),
                                     [&](const MetricRow& r) { return r.key == header[c]; });
       if (row == kMetricTable.end()) continue;

@@ -93,7 +93,7 @@ struct Measured {
 
 struct QualityRun {
   std::string build, volume, options;
-  std::uint64_t seed = 1;
+  std::uint64_t turn = 0;  // of the volume (turned.h)
   Measured measured;
 };
 

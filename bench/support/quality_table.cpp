@@ -140,9 +140,8 @@ Table make_summary(const std::vector<std::string>& builds, const std::vector<Sub
                fixed_cell(ratios > 0 ? std::exp(logarithms / ratios) : NAN, 3)});
   }
   table.remark(
-      "Better, worse: volumes on which the ranges over the seeds do not overlap; + and ! above. "
-      "With "
-      "one seed that is any difference.");
+      "Better, worse: volumes on which the ranges over the turns do not overlap; + and ! above. "
+      "With one turn that is any difference.");
   return table;
 }
 

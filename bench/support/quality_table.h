@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs as tables: medians and ranges over the seeds, and one build beside another.
+// Runs as tables: medians and ranges over the turns, and one build beside another.
 #pragma once
 
 #include <cstdint>

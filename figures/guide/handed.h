@@ -15,7 +15,7 @@ namespace deliso::guide {
 // For delaunay_mesh(): Stage 1 alone.
 inline Options stage1_only() {
   Options options;
-  options.stop_after_recover = true;
+  options.stop_after_stage1 = true;
   return options;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coarsen/contour_as_mesh.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "deliso/options.h"

@@ -82,9 +82,9 @@ void pass(Archive& a, SearchCounters& c) {
 
 template <class Archive>
 void pass(Archive& a, Report& r) {
-  a(r.seconds_contour, r.seconds_init, r.seconds_labels, r.seconds_recover, r.seconds_refine,
-    r.points_initial, r.points_recovered, r.insertions_refine);
-  pass(a, r.searches_recover);
+  a(r.seconds_contour, r.seconds_coarsen, r.seconds_refine, r.vertices_coarsened,
+    r.insertions_refine);
+  pass(a, r.searches_coarsen);
   pass(a, r.searches_refine);
   for (std::uint64_t& n : r.counters) a(n);
   for (OperationCounts& o : r.operations) {

@@ -82,9 +82,9 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
     (is_near_seam(p, at.volume) ? block.samples_near_seams : block.samples).push_back(p);
   }
   Options options = run.options;
-  options.stop_after_recover |= run.parameters.has_target();
-  block.mesh = delaunay_mesh(at.surface, contour, curves, block.samples, options, run.parameters,
-                             report);
+  options.stop_after_stage1 |= run.parameters.has_target();
+  block.mesh =
+      delaunay_mesh(at.surface, contour, curves, block.samples, options, run.parameters, report);
   if (run.parameters.has_target()) return block;
   block.samples = std::vector<Vec3>();
   if (!has_seams) return block;

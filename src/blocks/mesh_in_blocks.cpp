@@ -95,7 +95,7 @@ void require_closed(const Block& whole, const Box3& box) {
 Block finished(const BlockRun& run, Block whole, const IsDue& is_due, const Parameters& given,
                Report& report) {
   if (run.grid.cells() != Index3{1, 1, 1}) {
-    if (!run.options.stop_after_recover) refine_seams(run, whole, is_due, given.observer);
+    if (!run.options.stop_after_stage1) refine_seams(run, whole, is_due, given.observer);
     order_by_place(whole, run.grid, run.source.shape);
   }
   report.add(whole.report);

@@ -46,7 +46,8 @@ void keep_near(const EmbeddingFaults& faults, const TriMesh& mesh, const MeshCom
   for (const std::uint32_t c : faults.components) is_faulty[c] = 1;
   for (VertexId v = 0; v < kept.size(); ++v) {
     if (components.of[v] != kNoId) kept[v.number()] |= is_faulty[components.of[v]];
-    if (!is_marked.empty()) kept[v.number()] |= is_marked[number(volume.voxel_at(before.points[v]))];
+    if (!is_marked.empty())
+      kept[v.number()] |= is_marked[number(volume.voxel_at(before.points[v]))];
   }
 }
 
@@ -83,9 +84,10 @@ std::vector<std::uint8_t> coarsen(SurfaceMesh& s, const Isosurface& surface,
     changed.assign(s.mesh.faces.size(), 0);
     if (attempt == kMostAttempts) break;
     Coarsener(s, surface, curves, parameters, distance, scope, kept, changed,
-              report.searches_recover)
+              report.searches_coarsen)
         .run();
-    const EmbeddingFaults faults = embedding_faults(s, components, changed, scope.free_box, volume.box());
+    const EmbeddingFaults faults =
+        embedding_faults(s, components, changed, scope.free_box, volume.box());
     if (faults.none()) break;
     ++report[Counter::coarsened_again];
     keep_near(faults, s.mesh, components, before, volume, kept);
@@ -98,8 +100,8 @@ std::vector<std::uint8_t> coarsen(SurfaceMesh& s, const Isosurface& surface,
   for (FaceId f = 0; f < s.mesh.faces.size(); ++f) {
     if (is_dead(s.mesh.faces[f]) || (has_duals && changed[f.number()] == 0)) continue;
     const auto& [a, b, c] = s.mesh.faces[f].v;
-    s.duals[f] = finder.dual(s.mesh.points[a], s.mesh.points[b], s.mesh.points[c],
-                             report.searches_recover);
+    s.duals[f] =
+        finder.dual(s.mesh.points[a], s.mesh.points[b], s.mesh.points[c], report.searches_coarsen);
     report[Counter::unready_facets] += !s.duals[f].on_surface;
   }
   return changed;
@@ -107,13 +109,13 @@ std::vector<std::uint8_t> coarsen(SurfaceMesh& s, const Isosurface& surface,
 
 void coarsen(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
              const Parameters& parameters, Report& report) {
-  const StepTimer timer(report.seconds_recover);
+  const StepTimer timer(report.seconds_coarsen);
   begin_stage(parameters.observer, "coarsen");
   CoarsenScope scope{FreeBox::within(surface.volume()), {}};
   for (VertexId v = 0; v < s.mesh.points.size(); ++v) scope.first.push_back(v);
   coarsen(s, surface, curves, parameters, coarsening_bound(parameters), scope, report);
   remove_dead(s);
-  report.points_recovered = s.mesh.points.size();
+  report.vertices_coarsened = s.mesh.points.size();
 }
 
 }  // namespace deliso

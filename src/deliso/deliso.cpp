@@ -34,7 +34,7 @@ SurfaceMesh delaunay_mesh(const Isosurface& surface, ContourMesh& contour,
   if (observer) observer->contour_ready(mesh);
   coarsen(mesh, surface, curves, parameters, report);
   if (observer) observer->mesh_handed_over(mesh);
-  if (!options.stop_after_recover) {
+  if (!options.stop_after_stage1) {
     refine(mesh, surface, curves, samples, parameters, report);
   }
   if (observer) observer->mesh_finished();

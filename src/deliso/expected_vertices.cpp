@@ -41,7 +41,7 @@ constexpr double kCoarsened = 4;
 
 double density(const Options& options, const Volume& volume, double thin) {
   const double voxel = volume.voxel(), bent = thin * std::sqrt(thin);
-  if (options.stop_after_recover) return kRecoverDensity + kThinRecover * bent;
+  if (options.stop_after_stage1) return kRecoverDensity + kThinRecover * bent;
   const double base = kBaseDensity + kThinBase * bent;
   const auto length = [&](Criterion c) { return options.limits[c].in(volume) / voxel; };
   const auto squared = [](double x) { return x * x; };

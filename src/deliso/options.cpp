@@ -48,9 +48,6 @@ void require_limits(const Options& o, const Volume& volume) {
                        ", or refinement would not end");
     }
   }
-  if (o.samples > kMostSamples) {
-    throw InputError("samples (--samples) is ", o.samples, ", and must be at most ", kMostSamples);
-  }
 }
 
 PerCriterion<Length> Options::usual_limits() {
@@ -73,7 +70,6 @@ Parameters resolve(const Options& o, const Volume& volume) {
     const int steps = volume.whole_dims()[axis] - 1;
     p.gap = std::max(p.gap, whole[axis] * std::max(kGapOfBox * steps, kGapOfSpacing));
   }
-  p.fingers = o.fingers.in(volume);
   for (std::size_t n = 0; n < kCriteria; ++n) {
     p.refinement.limits.values[n] = o.limits.values[n].in(volume);
   }

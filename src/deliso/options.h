@@ -27,8 +27,7 @@ struct Options : RunSettings {
   // Limits of Stage 2's criteria (surface/criteria.h). The limit of r/l holds in Stage 1 too.
   // Infinite: no limit.
   PerCriterion<Length> limits = usual_limits();
-  Length r_min{0.25, Length::Unit::voxel};   // facets with r <= r_min violate no criterion but r/l
-  Length fingers{0.4, Length::Unit::voxel};  // largest distance from T to the mesh of Stage 1
+  Length r_min{0.25, Length::Unit::voxel};  // facets with r <= r_min violate no criterion but r/l
 
   // About how many voxels a block has along each axis; 0: the volume is one block. So it is for an
   // observer of insertions.
@@ -36,18 +35,17 @@ struct Options : RunSettings {
       -1;  // the samples decide, or usual_block_side() of blocks/grid.h
   int block_side = kUsualSide;
 
-  bool stop_after_recover = false;
-  bool cap = false;  // close the mesh on the box (cap/close_on_box.h)
+  bool stop_after_stage1 = false;  // the mesh is the coarsened contour
+  bool cap = false;                // close the mesh on the box (cap/close_on_box.h)
 
   static PerCriterion<Length> usual_limits();
 };
 
-// Beyond these limits a run could not end in reasonable time (docs/proof.md, Theorem 5 and the
+// With a smaller r_min a run could not end in reasonable time (docs/proof.md, Theorem 5 and the
 // table of options).
-inline constexpr double kSmallestRMin = 0.001;          // voxels
-inline constexpr std::size_t kMostSamples = 1'000'000;  // N0
+inline constexpr double kSmallestRMin = 0.001;  // voxels
 
-// Throws InputError if an option is beyond these limits, or a criterion's limit is below its least.
+// Throws InputError if r_min is smaller, or a criterion's limit is below its least.
 void require_limits(const Options& options, const Volume& volume);
 
 // Returns the options with all lengths in the scaled frame of the volume.

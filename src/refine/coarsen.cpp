@@ -278,7 +278,7 @@ std::size_t coarsen(Refinement& r, std::size_t vertices, std::size_t triangles) 
 void coarsen_to_target(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
                        std::span<const Vec3> samples, const Parameters& given, Report& report) {
   const StepTimer timer(report.seconds_refine);
-  begin_stage(given.observer, "coarsen");
+  begin_stage(given.observer, "thin");
   Parameters parameters = given;
   parameters.refinement[Criterion::distance] = kNotAsked;
   Refinement r(mesh, surface, curves, parameters, report);

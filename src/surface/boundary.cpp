@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "base/sorted_list.h"
 #include "isosurface/boundary_midpoint.h"
 
 namespace deliso {
@@ -37,47 +36,6 @@ bool BoundaryCurves::runs_beside_fixed(const CurvePoint& a, const CurvePoint& b)
   const Vec3 &p = a.point, &q = b.point;
   const int common = (p.x == q.x) + (p.y == q.y) + (p.z == q.z);
   return common >= 2 && is_on_fixed(a.place) && is_on_fixed(b.place);
-}
-
-std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t number, double sagitta) const {
-  const std::vector<Vec3>& points = loop(number).points;
-  const std::size_t n = points.size();
-  std::vector<std::size_t> keep;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (loop(number).kept[i]) keep.push_back(i);
-  }
-  // With at least three vertices, no two edges of the chain join the same two vertices.
-  if (keep.size() < 3) {
-    for (std::size_t third = 0; third < 3 && n >= 3; ++third) keep.push_back(third * n / 3);
-    sort_unique(keep);
-  }
-
-  std::vector<CurvePlace> chain;
-  std::vector<std::size_t> ends;  // of pending arcs, the nearest last
-  for (std::size_t k = 0; k < keep.size(); ++k) {
-    std::size_t from = keep[k];
-    ends.assign(1, k + 1 < keep.size() ? keep[k + 1] : keep[0] + n);
-    while (!ends.empty()) {
-      const std::size_t to = ends.back();
-      const Vec3 &a = points[from % n], &b = points[to % n];
-      const CurvePlace start{number, static_cast<double>(from % n)};
-      const CurvePlace end{number, static_cast<double>(to % n)};
-      const bool is_fixed = begins_fixed(start);
-      double worst = 0;
-      for (std::size_t i = from + 1; i < to && !is_fixed; ++i) {
-        worst = std::max(worst, distance2_to_chord(points[i % n], a, b));
-      }
-      if (worst > sagitta * sagitta * distance2(a, b) ||
-          (to > from + 1 && !is_fixed && runs_beside_fixed({start, a}, {end, b}))) {
-        ends.push_back((from + to) / 2);
-        continue;
-      }
-      chain.push_back(start);
-      from = to;
-      ends.pop_back();
-    }
-  }
-  return chain;
 }
 
 std::vector<CurvePoint> BoundaryCurves::arc(const CurvePoint& a, const CurvePoint& b) const {
@@ -152,6 +110,40 @@ double BoundaryCurves::sagitta(const CurvePoint& a, const CurvePoint& b) const {
     if (const auto p = middle(points[i - 1], points[i])) consider(*p);
   }
   return std::sqrt(worst2);
+}
+
+void BoundaryChain::add_loop(std::span<const VertexId> vertices,
+                             std::span<const CurvePlace> places) {
+  const std::size_t n = vertices.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    link(vertices[i]) = {vertices[(i + 1) % n], vertices[(i + n - 1) % n], places[i]};
+  }
+}
+
+void BoundaryChain::insert_after(VertexId a, VertexId v, CurvePlace place) {
+  const VertexId b = links_[a].next;
+  link(v) = {b, a, place};
+  links_[a].next = v;
+  links_[b].previous = v;
+}
+
+void BoundaryChain::remove(VertexId v) {
+  const Link removed = links_[v];
+  links_[removed.previous].next = removed.next;
+  links_[removed.next].previous = removed.previous;
+  links_[v] = {};
+}
+
+BoundaryChain BoundaryChain::renumbered(const std::vector<VertexId>& new_id) const {
+  BoundaryChain chain;
+  for (VertexId v = 0; v < links_.size(); ++v) {
+    if (!is_boundary(v) || new_id[v] == kNoId) continue;
+    VertexId after = links_[v].next, before = links_[v].previous;  // ends at v at the latest
+    while (new_id[after] == kNoId) after = links_[after].next;
+    while (new_id[before] == kNoId) before = links_[before].previous;
+    chain.link(new_id[v]) = {new_id[after], new_id[before], links_[v].place};
+  }
+  return chain;
 }
 
 }  // namespace deliso

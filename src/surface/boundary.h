@@ -57,10 +57,6 @@ class BoundaryCurves {
 
   std::size_t loop_count() const { return loops_->size(); }
   const BoundaryLoop& loop(std::uint32_t number) const { return (*loops_)[number]; }
-  // Returns the places of a coarse chain along the loop, at least three. All kept points are in it.
-  // Off the fixed arcs it has more, so that every chord's sagitta is at most `sagitta` times its
-  // length.
-  std::vector<CurvePlace> coarse_chain(std::uint32_t loop, double sagitta) const;
   // Returns the point of the curve at a place. pre: place.s is a whole number.
   const Vec3& point(CurvePlace place) const;
   // True if every chain must have a vertex at the place.
@@ -96,48 +92,41 @@ class BoundaryCurves {
 };
 
 // The vertices on the boundary curves: their places, and the next and previous vertex of each.
-// Vertices are mesh vertices, or sites of the certified Recover.
-template <class Vertex>
-class Chain {
+class BoundaryChain {
  public:
-  bool is_boundary(Vertex v) const { return v < links_.size() && links_[v].next != kNoId; }
-  Vertex next(Vertex v) const { return links_[v].next; }
-  Vertex previous(Vertex v) const { return links_[v].previous; }
-  CurvePlace place(Vertex v) const { return links_[v].place; }
-  bool is_edge(Vertex a, Vertex b) const {
+  bool is_boundary(VertexId v) const { return v < links_.size() && links_[v].next != kNoId; }
+  VertexId next(VertexId v) const { return links_[v].next; }
+  VertexId previous(VertexId v) const { return links_[v].previous; }
+  CurvePlace place(VertexId v) const { return links_[v].place; }
+  bool is_edge(VertexId a, VertexId b) const {
     return is_boundary(a) && (links_[a].next == b || links_[a].previous == b);
   }
 
-  void add_loop(std::span<const Vertex> vertices, std::span<const CurvePlace> places);
+  void add_loop(std::span<const VertexId> vertices, std::span<const CurvePlace> places);
   // Sets the place and the neighbors of v, of a chain that need not be closed.
-  void set(Vertex v, Vertex previous, Vertex next, CurvePlace place) {
+  void set(VertexId v, VertexId previous, VertexId next, CurvePlace place) {
     link(v) = {next, previous, place};
   }
   // Inserts v between a and the next vertex.
-  void insert_after(Vertex a, Vertex v, CurvePlace place);
+  void insert_after(VertexId a, VertexId v, CurvePlace place);
   // Joins v's neighbors to each other. pre: the loop has more than three vertices.
-  void remove(Vertex v);
+  void remove(VertexId v);
   // Returns the chain with every vertex v renumbered as new_id[v]. Where that is kNoId, v is
   // removed and its neighbors are joined.
-  template <class Other>
-  Chain<Other> renumbered(const std::vector<Other>& new_id) const;
+  BoundaryChain renumbered(const std::vector<VertexId>& new_id) const;
   std::size_t vertex_capacity() const { return links_.size(); }
 
  private:
-  template <class Other>
-  friend class Chain;
   struct Link {
-    Vertex next = kNoId, previous = kNoId;
+    VertexId next = kNoId, previous = kNoId;
     CurvePlace place;
   };
-  Link& link(Vertex v) {
+  Link& link(VertexId v) {
     if (v >= links_.size()) links_.resize(v + 1);
     return links_[v];
   }
   std::vector<Link> links_;
 };
-using BoundaryChain = Chain<VertexId>;
-using SiteChain = Chain<SiteId>;
 
 // Shortest boundary edge that either stage splits, as a share of r_min. Where the curve turns
 // sharply at an edge of the box, shorter edges would encroach upon each other forever.
@@ -149,44 +138,6 @@ double distance2_to_chord(const Vec3& p, const Vec3& a, const Vec3& b);
 // True if p lies strictly inside the ball with diameter ab.
 constexpr bool in_diametral_ball(const Vec3& a, const Vec3& b, const Vec3& p) {
   return dot(a - p, b - p) < 0;
-}
-
-template <class Vertex>
-void Chain<Vertex>::add_loop(std::span<const Vertex> vertices, std::span<const CurvePlace> places) {
-  const std::size_t n = vertices.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    link(vertices[i]) = {vertices[(i + 1) % n], vertices[(i + n - 1) % n], places[i]};
-  }
-}
-
-template <class Vertex>
-void Chain<Vertex>::insert_after(Vertex a, Vertex v, CurvePlace place) {
-  const Vertex b = links_[a].next;
-  link(v) = {b, a, place};
-  links_[a].next = v;
-  links_[b].previous = v;
-}
-
-template <class Vertex>
-void Chain<Vertex>::remove(Vertex v) {
-  const Link removed = links_[v];
-  links_[removed.previous].next = removed.next;
-  links_[removed.next].previous = removed.previous;
-  links_[v] = {};
-}
-
-template <class Vertex>
-template <class Other>
-Chain<Other> Chain<Vertex>::renumbered(const std::vector<Other>& new_id) const {
-  Chain<Other> chain;
-  for (Vertex v{0}; v < links_.size(); ++v) {
-    if (!is_boundary(v) || new_id[v] == kNoId) continue;
-    Vertex after = links_[v].next, before = links_[v].previous;  // ends at v at the latest
-    while (new_id[after] == kNoId) after = links_[after].next;
-    while (new_id[before] == kNoId) before = links_[before].previous;
-    chain.link(new_id[v]) = {new_id[after], new_id[before], links_[v].place};
-  }
-  return chain;
 }
 
 }  // namespace deliso

@@ -17,8 +17,6 @@ class Observer;
 
 // Settings that options and parameters share.
 struct RunSettings {
-  std::uint64_t seed = 1;
-  std::size_t samples = 50;  // N0, random points of the first sample
   ComponentChoice components;
   // The mesh is the same with any number.
   int threads = hardware_threads();
@@ -36,8 +34,7 @@ struct RunSettings {
 struct Parameters : RunSettings {
   double voxel;  // Volume::voxel()
   double r_min;
-  double fingers;  // Stage 1: largest distance from a vertex of T to K
-  double gap;      // facets that face each other are moved apart by so much, at least
+  double gap;  // facets that face each other are moved apart by so much, at least
   Criteria refinement;
   // Stage 2 leaves facets with a corner on a fixed arc as they are: blocks/seams.h refines them.
   bool leaves_seams = false;

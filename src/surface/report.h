@@ -4,7 +4,6 @@
 // isovalue.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,13 +18,10 @@ namespace deliso {
 
 enum class Counter : std::uint8_t {
   // Stage 1
-  components_skipped,       // by --min-component
-  boundary_splits_recover,  // boundary edges split in Stage 1
-  voxels_cut,               // voxels in which the exact contour was made of cells
-  uncertified_sites,        // sites that break the certificate with no vertex of T left to insert
-  unready_facets,           // facets handed over whose dual line misses Sigma within r
-  crossings_handed_over,    // pairs of facets of K that cross
-  coarsened_again,          // coarsenings that crossed and were made again
+  components_skipped,  // by --min-component
+  voxels_cut,          // voxels in which the exact contour was made of cells
+  unready_facets,      // facets handed over whose dual line misses Sigma within r
+  coarsened_again,     // coarsenings made again because the mesh came to cross itself
   // Stage 2
   unrefined_facets,  // facets left that violate a criterion
   points_far,        // vertices of T left further from the mesh than asked for
@@ -38,11 +34,9 @@ enum class Counter : std::uint8_t {
 };
 inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::count_);
 inline constexpr std::array<std::string_view, kCounterCount> kCounterNames{
-    "components_skipped", "boundary_splits_recover", "voxels_cut",
-    "uncertified_sites",  "unready_facets",          "crossings_handed_over",
-    "coarsened_again",    "unrefined_facets",        "points_far",
-    "cap_edges_lifted",   "cap_lifts_off_surface",   "cap_not_lifted",
-    "cap_refused"};
+    "components_skipped", "voxels_cut", "unready_facets",   "coarsened_again",
+    "unrefined_facets",   "points_far", "cap_edges_lifted", "cap_lifts_off_surface",
+    "cap_not_lifted",     "cap_refused"};
 static_assert(!kCounterNames.back().empty());
 
 // The operations of Stage 2, and why one is refused (refine/refinement.h).
@@ -114,14 +108,11 @@ struct CapReport {
 struct Report {
   // Seconds, wall clock, per step.
   double seconds_contour = 0;  // T, and its boundary curves
-  double seconds_init = 0;     // first sample S_0 and its triangulation
-  double seconds_labels = 0;   // labels of T
-  double seconds_recover = 0;  // the rest of Stage 1
-  double seconds_refine = 0;
+  double seconds_coarsen = 0;  // Stage 1
+  double seconds_refine = 0;   // Stage 2
   double seconds_cap = 0, seconds_total = 0;
-  std::size_t points_initial = 0;    // S_0
-  std::size_t points_recovered = 0;  // n_RC: all points when Stage 1 ends
-  SearchCounters searches_recover, searches_refine;
+  std::size_t vertices_coarsened = 0;  // when Stage 1 ends
+  SearchCounters searches_coarsen, searches_refine;
   std::size_t insertions_refine = 0;
   std::size_t vertices_refined = 0, triangles_refined = 0;  // when Stage 2 ends
   TopologyCounts exact;                                     // of the exact contour, whole
@@ -133,21 +124,14 @@ struct Report {
   std::array<std::uint64_t, kCounterCount> counters{};
   std::array<OperationCounts, kOperations> operations{};
 
-  // Sites without facets are not recovered points, so points_initial may be the larger number.
-  std::size_t insertions_recover() const {
-    return points_recovered - std::min(points_recovered, points_initial);
-  }
-
   // Adds the seconds and counts of a block or of a part of a mesh.
   void add(const Report& part) {
     for (const auto seconds :
-         {&Report::seconds_contour, &Report::seconds_init, &Report::seconds_labels,
-          &Report::seconds_recover, &Report::seconds_refine}) {
+         {&Report::seconds_contour, &Report::seconds_coarsen, &Report::seconds_refine}) {
       this->*seconds += part.*seconds;
     }
-    points_initial += part.points_initial;
-    points_recovered += part.points_recovered;
-    searches_recover += part.searches_recover;
+    vertices_coarsened += part.vertices_coarsened;
+    searches_coarsen += part.searches_coarsen;
     searches_refine += part.searches_refine;
     insertions_refine += part.insertions_refine;
     for (std::size_t n = 0; n < kCounterCount; ++n) counters[n] += part.counters[n];

@@ -99,7 +99,6 @@ refuses 'no surface at isovalue 1000' builtin:sphere --iso 1000 -o $o
 refuses 'samples along x, and must be at most 100' builtin:sphere --smooth 200 -o $o
 refuses 'changes nothing' builtin:sphere --smooth 0.001vox -o $o
 refuses 'r_min (--rmin) is .* at least 0.001' builtin:sphere --rmin 1e-12 -o $o
-refuses 'at most 1000000' builtin:sphere --samples 18446744073709551615 -o $o
 refuses 'more than --max-vertices 10 vertices' builtin:fuel --max-vertices 10 -o $o
 refuses 'million vertices' builtin:fuel --rmin 0.001vox --max-distance 1e-12 --max-radius 1e-9 -o $o
 refuses 'million vertices' builtin:noise --max-distance 1e-7 --rmin 0.001vox --max-radius 0.003 -o $o

@@ -79,21 +79,18 @@ TEST_CASE("by default the distance is bounded, in voxels") {
   CHECK(line.options.limits[Criterion::radius].value == Options::kNone);
   CHECK(line.options.limits[Criterion::r_over_l].value == 2.0);
   CHECK(same(line.options.r_min, {0.25, Length::Unit::voxel}));
-  CHECK(same(line.options.fingers, {0.4, Length::Unit::voxel}));
   CHECK_FALSE(by_count(line.options));
   CHECK_FALSE(line.given.limits[Criterion::distance]);
   CHECK_FALSE(line.given.r_min);
   CHECK_FALSE(line.given.limits[Criterion::r_over_l]);
   CHECK_FALSE(line.given.limits[Criterion::h_over_r]);
-  CHECK(line.options.seed == 1);
   CHECK_FALSE(line.read.raw.has_value());
 }
 
 TEST_CASE("every option reaches its field") {
   const CommandLine line = parsed(
       "mesh --iso=-1.5e2 --eps1 0.4 --lambda 1.5 --rmin 0.5vox --max-distance 7 "
-      "--max-radius 8 --seed 18446744073709551615 --samples 9 --min-component 2.5 --threads 3 "
-      "--fingers 0.25 --stop-after recover --max-vertices 1000 "
+      "--max-radius 8 --min-component 2.5 --threads 3 --stop-after stage1 --max-vertices 1000 "
       "--block-side 48 --roi 0:4,1:5,2:6 --cap --json - --quiet "
       "--allow-empty --check --ply-ascii --float --dims 4x5x6 --type uint16 --spacing 1,2,2.5 "
       "--origin=-1,2,0.5 --channel 3 --time 4 --nan=-1e3 "
@@ -105,12 +102,9 @@ TEST_CASE("every option reaches its field") {
   CHECK(same(options.r_min, {0.5, Length::Unit::voxel}));
   CHECK(same(options.limits[Criterion::distance], {7, Length::Unit::world}));
   CHECK(options.limits[Criterion::radius].value == 8);
-  CHECK(options.seed == std::numeric_limits<std::uint64_t>::max());
-  CHECK(options.samples == 9);
   CHECK(options.components.min_voxels == 2.5);
   CHECK(options.threads == 3);
-  CHECK(same(options.fingers, {0.25, Length::Unit::world}));
-  CHECK(options.stop_after_recover);
+  CHECK(options.stop_after_stage1);
   CHECK(options.max_vertices == 1000);
   CHECK(options.block_side == 48);
   CHECK(options.cap);
@@ -142,14 +136,10 @@ TEST_CASE("every option reaches its field") {
 TEST_CASE("lengths are in voxels or in the option's own unit") {
   const auto length = [](std::string_view option, std::string_view length_text) {
     const Options options = parsed(text("a --iso 1 ", option, " ", length_text)).options;
-    return option == "--rmin"      ? options.r_min
-           : option == "--fingers" ? options.fingers
-                                   : options.limits[Criterion::distance];
+    return option == "--rmin" ? options.r_min : options.limits[Criterion::distance];
   };
   CHECK(same(length("--rmin", "0.02"), {0.02, Length::Unit::box}));
   CHECK(same(length("--rmin", "2vox"), {2, Length::Unit::voxel}));
-  CHECK(same(length("--fingers", "0.02"), {0.02, Length::Unit::world}));
-  CHECK(same(length("--fingers", "3.5vox"), {3.5, Length::Unit::voxel}));
   CHECK(same(length("--max-distance", "1e-3"), {1e-3, Length::Unit::world}));
   CHECK(same(length("--max-distance", ".25vox"), {0.25, Length::Unit::voxel}));
 }
@@ -177,7 +167,8 @@ TEST_CASE("--paper runs the published program, with the published values but for
   }
   const paper::Options options = published_options(
       parsed("a --iso 1 --paper --eps 0.3 --eps1 0.4 --eps2 0.5 --lambda 1.5 --rmin 1vox --lines 9 "
-             "--keep-hits --single-stage --solver isolation --seed 7 --stop-after recover "
+             "--keep-hits --single-stage --solver isolation --seed 18446744073709551615 "
+             "--stop-after stage1 "
              "--max-vertices 1000"),
       volume);
   CHECK(options.epsilon == 0.3);
@@ -189,7 +180,7 @@ TEST_CASE("--paper runs the published program, with the published values but for
   CHECK(options.keep_hits);
   CHECK(options.single_stage);
   CHECK(options.solver == CubicMethod::isolation);
-  CHECK(options.seed == 7);
+  CHECK(options.seed == std::numeric_limits<std::uint64_t>::max());
   CHECK(options.stop_after_recover);
   CHECK(options.max_vertices == 1000);
 }
@@ -225,8 +216,9 @@ TEST_CASE("check --paper holds a mesh against the published criteria") {
 
 TEST_CASE("options of the published program need --paper, and it refuses those it has not") {
   for (const std::string command : {"mesh a --iso 1 ", "trace a --iso 1 -o p.html "}) {
-    for (const std::string option : {"--certified", "--eps 0.2", "--eps2 0.2", "--lines 50",
-                                     "--keep-hits", "--single-stage", "--solver schwarze"}) {
+    for (const std::string option :
+         {"--certified", "--eps 0.2", "--eps2 0.2", "--lines 50", "--seed 3", "--keep-hits",
+          "--single-stage", "--solver schwarze"}) {
       CAPTURE(option);
       CHECK(refusal(command + option) ==
             split(option)[0] + " belongs to --paper, the algorithm as published");
@@ -235,8 +227,8 @@ TEST_CASE("options of the published program need --paper, and it refuses those i
             split(option)[0] + " has no meaning for deliso check");
     }
     for (const std::string option :
-         {"--vertices 99", "--triangles 99", "--max-distance 1", "--max-radius 1", "--samples 9",
-          "--fingers 1", "--block-side 8", "--min-component 1", "--largest 1"}) {
+         {"--vertices 99", "--triangles 99", "--max-distance 1", "--max-radius 1", "--block-side 8",
+          "--min-component 1", "--largest 1"}) {
       CAPTURE(option);
       CHECK(refusal(command + "--paper " + option) ==
             "--paper and " + split(option)[0] + " exclude each other");
@@ -270,7 +262,7 @@ TEST_CASE("--vertices and --triangles are parsed, and options that exclude them 
   for (const std::string count : {"--vertices", "--triangles"}) {
     const std::string given = " " + count + " 1000";
     for (const std::string other : {"--stop-after", "--max-vertices", "--max-distance"}) {
-      const std::string value = other == "--stop-after"     ? " recover"
+      const std::string value = other == "--stop-after"     ? " stage1"
                                 : other == "--max-vertices" ? " 2000"
                                 : other == "--max-distance" ? " 0.2vox"
                                                             : "";
@@ -562,7 +554,7 @@ TEST_CASE("each command line that is refused has its message") {
       {"a --lambda 0.9", "--lambda must be at least 1, or refinement would not end"},
       {"a --iso 1 --paper --lines 1000001", "--lines must be at most 1000000"},
       {"a --iso 1 --recover paper", "unknown option '--recover'; --help lists them"},
-      {"a --iso 1 --stop-after refine", "--stop-after refine is not in this version: use recover"},
+      {"a --iso 1 --stop-after refine", "--stop-after refine is not in this version: use stage1"},
       {"a --iso 1 --roi 0:4,0:4", "--roi: '0:4,0:4' is not a region like 0:64,0:64,10:32"},
       {"a --iso 1 --dims 2x2x2", "a raw file needs both --dims and --type"},
       {"a --iso 1 --type uint8", "a raw file needs both --dims and --type"},
@@ -637,7 +629,7 @@ TEST_CASE("each command line that is refused has its message") {
        "--shared and --min-component exclude each other"},
       {"a --label all --shared x.ply --max-vertices 99",
        "--shared and --max-vertices exclude each other"},
-      {"a --label all --shared x.ply --stop-after recover",
+      {"a --label all --shared x.ply --stop-after stage1",
        "--shared and --stop-after exclude each other"},
       {"a --label all --shared x.ply --block-side 8",
        "--shared and --block-side exclude each other"},
@@ -699,10 +691,10 @@ TEST_CASE("a value of the wrong kind is refused, in one line that names the opti
   } refused[] = {
       {"x NAME", "--iso", numbers, false},
       {"x NAME",
-       "--eps --eps1 --eps2 --lambda --max-radius --samples --min-component --max-vertices "
+       "--eps --eps1 --eps2 --lambda --max-radius --min-component --max-vertices "
        "--threads --largest --lines",
        not_below_0, false},
-      {"x NAME", "--rmin --fingers --max-distance", lengths, false},
+      {"x NAME", "--rmin --max-distance", lengths, false},
       {"x NAME", "--vertices --triangles", not_below_0 + " 3 1e4", false},
       {"x NAME", "--seed", not_below_0 + " 1.5 1e3 18446744073709551616", false},
       {"x NAME", "--threads", "0", false},

@@ -68,8 +68,8 @@ TEST_CASE("the line of a run has lengths in voxels for options in any unit") {
   CHECK(note(" --paper") == words(" r-min=0.004 lambda=2 eps1=0.1 eps2=0.2"));
   // The distance is a result, and no limit to check against.
   CHECK(note(" --vertices 100") == words(" r-min=0.25 lambda=2"));
-  CHECK(note(" --stop-after recover") == words(" stop-after=recover"));
-  CHECK_FALSE(read(note(" --stop-after recover")));
+  CHECK(note(" --stop-after stage1") == words(" stop-after=stage1"));
+  CHECK_FALSE(read(note(" --stop-after stage1")));
 }
 
 TEST_CASE("criteria are read back to the last bit") {

@@ -74,7 +74,7 @@ TEST_CASE("the bar never goes back") {
 }
 
 TEST_CASE("the bar goes from 0 to 100 %, and is not there before the last stage ends") {
-  for (const char* more : {"", " --paper", " --check", " --cap -q", " --stop-after recover"}) {
+  for (const char* more : {"", " --paper", " --check", " --cap -q", " --stop-after stage1"}) {
     const std::vector<StageCost> stages = mesh_stages(command_line(more));
     ProgressModel model(stages);
     CHECK(model.at(stages.front().stage, 0) == 0);
@@ -89,9 +89,9 @@ TEST_CASE("the bar goes from 0 to 100 %, and is not there before the last stage 
 
 TEST_CASE("the program knows every stage that a run reports") {
   const Volume volume = make_builtin_volume("builtin:fuel:24");
-  for (const char* more : {"", " --cap", " --vertices 500", " --stop-after recover", " --paper",
-                           " --paper --single-stage", " --paper --stop-after recover",
-                           " --paper --certified", " --paper --certified --stop-after recover"}) {
+  for (const char* more : {"", " --cap", " --vertices 500", " --stop-after stage1", " --paper",
+                           " --paper --single-stage", " --paper --stop-after stage1",
+                           " --paper --certified", " --paper --certified --stop-after stage1"}) {
     CAPTURE(more);
     CommandLine line = command_line(more);
     std::string told, known;
@@ -149,9 +149,9 @@ TEST_CASE("no line is as wide as the terminal") {
     CAPTURE(columns);
     for (const double seconds : {0.0, 7.9, 65.0, 3723.0, 1e6}) {
       for (const double share : {0.0, 0.5, 1.0}) {
-        const std::string line = progress_line("recover", share, seconds, columns, true);
+        const std::string line = progress_line("coarsen", share, seconds, columns, true);
         CHECK(width_of(line) <= static_cast<std::size_t>(std::max(0, columns - 1)));
-        CHECK(progress_line("recover", share, seconds, columns, false).find('\033') ==
+        CHECK(progress_line("coarsen", share, seconds, columns, false).find('\033') ==
               std::string::npos);
       }
     }
@@ -159,15 +159,15 @@ TEST_CASE("no line is as wide as the terminal") {
 }
 
 TEST_CASE("what a line says") {
-  CHECK(progress_line("recover", 0.42, 4.9, 80, false) ==
-        "[############..................]  42 %  recover  0:04");
-  CHECK(progress_line("recover", 0.42, 4.9, 36, false) == "[#####.......]  42 %  recover  0:04");
-  CHECK(progress_line("recover", 0.42, 4.9, 28, false) == " 42 %  recover  0:04");
-  CHECK(progress_line("recover", 0.25, 30, 80, false) ==
-        "[#######.......................]  25 %  recover  0:30, 1:30 left");
-  CHECK(progress_line("recover", 0.04, 30, 80, false).find("left") == std::string::npos);
+  CHECK(progress_line("coarsen", 0.42, 4.9, 80, false) ==
+        "[############..................]  42 %  coarsen  0:04");
+  CHECK(progress_line("coarsen", 0.42, 4.9, 36, false) == "[#####.......]  42 %  coarsen  0:04");
+  CHECK(progress_line("coarsen", 0.42, 4.9, 28, false) == " 42 %  coarsen  0:04");
+  CHECK(progress_line("coarsen", 0.25, 30, 80, false) ==
+        "[#######.......................]  25 %  coarsen  0:30, 1:30 left");
+  CHECK(progress_line("coarsen", 0.04, 30, 80, false).find("left") == std::string::npos);
   CHECK(progress_line("writing", 1, 30, 80, false).find("left") == std::string::npos);
-  CHECK(progress_line("recover", 0.42, 7.9, 10, false) == " 42 %  re");
+  CHECK(progress_line("coarsen", 0.42, 7.9, 10, false) == " 42 %  co");
   CHECK(progress_line("refine", 0.999, 3723, 80, false).find(" 99 %  refine   1:02:03") !=
         std::string::npos);
   CHECK(progress_line("writing", 1, 0, 80, true).find("\033[32m##############################") !=

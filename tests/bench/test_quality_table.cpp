@@ -17,12 +17,12 @@ using deliso::test::write_bytes;
 
 namespace {
 
-QualityRun run_of(const std::string& build, const std::string& volume, std::uint64_t seed,
+QualityRun run_of(const std::string& build, const std::string& volume, std::uint64_t turn,
                   double vertices) {
-  QualityRun run{build, volume, "", seed, {}};
+  QualityRun run{build, volume, "", turn, {}};
   run.measured[Metric::vertices] = vertices;
   run.measured[Metric::min_angle] = vertices / 10;
-  run.measured[Metric::exact] = seed == 1 ? 1 : 0;
+  run.measured[Metric::exact] = turn == 1 ? 1 : 0;
   return run;
 }
 
@@ -46,13 +46,13 @@ TEST_CASE("builds differ where the ranges of their runs do not overlap") {
 
 TEST_CASE("tables have medians, ranges, marks and their sums") {
   std::vector<QualityRun> runs;
-  for (const std::uint64_t seed : {1, 2, 3}) {
-    const auto n = static_cast<double>(seed);
-    runs.push_back(run_of("new", "A", seed, 1000 * n));
-    runs.push_back(run_of("old", "A", seed, 4000 * n));
-    runs.push_back(run_of("new", "B", seed, 1000 * n));
-    runs.push_back(run_of("old", "B", seed, 2000 * n));
-    runs.push_back(run_of("old", "C", seed, 1));  // of no use without the other
+  for (const std::uint64_t turn : {1, 2, 3}) {
+    const auto n = static_cast<double>(turn);
+    runs.push_back(run_of("new", "A", turn, 1000 * n));
+    runs.push_back(run_of("old", "A", turn, 4000 * n));
+    runs.push_back(run_of("new", "B", turn, 1000 * n));
+    runs.push_back(run_of("old", "B", turn, 2000 * n));
+    runs.push_back(run_of("old", "C", turn, 1));  // of no use without the other
   }
   const std::vector<Table> tables = quality_tables(runs);
   REQUIRE(tables.size() == 3);
@@ -80,7 +80,7 @@ TEST_CASE("runs are read back as they were written") {
   CHECK(read[0].build == "kept.tsv");
   CHECK(read[0].volume == "A");
   CHECK(read[0].options == run.options);
-  CHECK(read[0].seed == 7);
+  CHECK(read[0].turn == 7);
   CHECK(read[0].measured[Metric::vertices] == 0.1);
   CHECK(std::isnan(read[0].measured[Metric::crossings]));
   run.build = "other";
@@ -89,7 +89,7 @@ TEST_CASE("runs are read back as they were written") {
   CHECK(read_runs(path)[1].build == "kept.tsv:other");
 
   // Columns of later days are passed over, those of earlier ones are absent.
-  write_bytes(path, "build\tvolume\toptions\tseed\tvertices\tbeauty\nx\tA\t\t1\t12\t-\n");
+  write_bytes(path, "build\tvolume\toptions\tturn\tvertices\tbeauty\nx\tA\t\t1\t12\t-\n");
   CHECK(read_runs(path)[0].measured[Metric::vertices] == 12);
   const auto refused = [&](const std::string& bytes, const std::string& words) {
     write_bytes(path, bytes);
@@ -101,10 +101,10 @@ TEST_CASE("runs are read back as they were written") {
     return false;
   };
   CHECK(refused("", "is no file of runs"));
-  CHECK(refused("build\tvolume\tseed\n", "is no file of runs"));
+  CHECK(refused("build\tvolume\tturn\n", "is no file of runs"));
   CHECK(refused(header_of_runs(), "has no runs"));
-  CHECK(refused("build\tvolume\toptions\tseed\nx\tA\t\n", "line 2: has another number of fields"));
-  CHECK(refused("build\tvolume\toptions\tseed\nx\tA\t\tz\n", "line 2: 'z' is not a number"));
+  CHECK(refused("build\tvolume\toptions\tturn\nx\tA\t\n", "line 2: has another number of fields"));
+  CHECK(refused("build\tvolume\toptions\tturn\nx\tA\t\tz\n", "line 2: 'z' is not a number"));
 }
 
 TEST_CASE("a program's own word is read from its report") {

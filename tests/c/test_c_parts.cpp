@@ -254,7 +254,7 @@ TEST_CASE("faults of parts are statuses, with one line each") {
   CHECK(join_refusal(array, parts, {"smooth=1"}) == "--smooth has no meaning for deliso join");
   CHECK(join_refusal(array, parts, {"volume=x"}) == "--volume has no meaning for an array");
   CHECK(join_refusal(array, parts, {"attributes"}) == "--attributes has no meaning for an array");
-  std::vector<std::string> mixed = all_parts(array, kLevel, 2, {"block-side=16", "seed=2"});
+  std::vector<std::string> mixed = all_parts(array, kLevel, 2, {"block-side=16", "lambda=1.9"});
   mixed[0] = parts[0];
   CHECK(join_refusal(array, mixed).find("is no part of the same mesh as") != std::string::npos);
 
@@ -293,7 +293,7 @@ TEST_CASE("faults of parts are statuses, with one line each") {
 
 TEST_CASE("a part whose counters contradict its options is refused") {
   // Once a counter of caps made the join look at samples that it had not read. The counters are
-  // numbers of eight bytes, 19 of them, before those of the operations.
+  // numbers of eight bytes, before those of the operations.
   const BallArray array;
   const Words options{"block-side=16", "max-distance=1", "threads=1"};
   const std::vector<std::string> parts = all_parts(array, kLevel, 2, options);

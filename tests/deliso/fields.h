@@ -42,7 +42,7 @@ inline Options paper_criteria() {
 // For delaunay_mesh(): Stage 1 alone.
 inline Options stage1_only() {
   Options options;
-  options.stop_after_recover = true;
+  options.stop_after_stage1 = true;
   return options;
 }
 

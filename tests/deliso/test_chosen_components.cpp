@@ -96,8 +96,7 @@ TEST_CASE("no vertex lies on a component that is left out, and no edge leads to 
     CAPTURE(seed);
     const Volume volume = blobs(seed, 2 + seed % 12, seed % 3 == 0 ? Vec3{1, 1, 3} : Vec3{1, 1, 1});
     Options options;
-    options.seed = seed;
-    options.stop_after_recover = seed % 5 == 4;
+    options.stop_after_stage1 = seed % 5 == 4;
     if (seed % 2 == 0) options.components.largest = 1 + seed % 3;
     if (seed % 2 == 1) options.components.min_voxels = 6;
     check_chosen(volume, options);

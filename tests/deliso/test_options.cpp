@@ -24,7 +24,6 @@ TEST_CASE("the limits of Stage 2 are those of the options") {
   options.limits[Criterion::distance] = {0.2, Length::Unit::voxel};
   options.limits[Criterion::radius] = {0.05, Length::Unit::box};
   options.r_min = {0.5, Length::Unit::world};
-  options.fingers = {0.8, Length::Unit::voxel};
   const Parameters p = resolve(options, small_long_voxels());
   CHECK(p.refinement[Criterion::r_over_l] == 1.5);
   CHECK(p.refinement[Criterion::h_over_r] == 0.25);
@@ -32,5 +31,4 @@ TEST_CASE("the limits of Stage 2 are those of the options") {
   CHECK(p.refinement[Criterion::radius] == doctest::Approx(0.1));
   CHECK(p.r_min == 0.5);
   CHECK(p.refinement.r_min == 0.5);
-  CHECK(p.fingers == doctest::Approx(0.4));
 }

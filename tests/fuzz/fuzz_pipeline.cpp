@@ -140,17 +140,13 @@ Options make_options(ByteSource& source, const Vec3& spacing) {
   const double ratio =
       std::max({spacing.x, spacing.y, spacing.z}) / std::min({spacing.x, spacing.y, spacing.z});
   options.r_min = {(0.1 + source.share()) * ratio, Length::Unit::voxel};
-  options.fingers = {ratio * ((flags & 1) != 0 ? 0.1 + 3 * source.share() : 1),
-                     Length::Unit::voxel};
-  if ((flags & 2) != 0) options.components.min_voxels = 4 * source.share();
-  if ((flags & 4) != 0) options.seed = source.next();
-  if ((flags & 8) != 0) options.limits[Criterion::r_over_l].value = 1 + 2 * source.share();
-  if ((flags & 16) != 0) options.samples = source.next();
-  if ((flags & 32) != 0) options.max_vertices = 4 + 8 * source.below(256);
-  if ((flags & 64) != 0) options.block_side = static_cast<int>(2 + source.below(8));
-  if ((flags & 128) != 0) {
+  if ((flags & 1) != 0) options.components.min_voxels = 4 * source.share();
+  if ((flags & 2) != 0) options.limits[Criterion::r_over_l].value = 1 + 2 * source.share();
+  if ((flags & 4) != 0) options.max_vertices = 4 + 8 * source.below(256);
+  if ((flags & 8) != 0) options.block_side = static_cast<int>(2 + source.below(8));
+  if ((flags & 16) != 0) {
     const std::uint32_t rare = source.below(4);
-    options.stop_after_recover = rare == 0;
+    options.stop_after_stage1 = rare == 0;
     if (rare == 1) options.limits[Criterion::distance] = {spacing.x * (0.01 + source.share())};
     if (rare == 2) options.limits[Criterion::radius] = {spacing.x * (0.2 + source.share())};
     if (rare == 3) options.limits[Criterion::h_over_r].value = 0.05 + source.share();
@@ -185,12 +181,11 @@ paper::Options make_paper_options(ByteSource& source, const Volume& volume) {
 void write_case(const Volume& volume, double isovalue, const Options& o, const char* path) {
   stress::write_nrrd(volume, path);
   std::printf(
-      "deliso %s --iso %.17g --rmin %.17gvox --fingers %.17gvox --min-component %g --seed %llu "
-      "--lambda %.17g --samples %zu --max-vertices %zu --block-side %d%s"
+      "deliso %s --iso %.17g --rmin %.17gvox --min-component %g --lambda %.17g --max-vertices %zu"
+      " --block-side %d%s"
       " --max-distance %.17g%s --max-radius %.17g --eps1 %.17g --check\n",
-      path, isovalue, o.r_min.value, o.fingers.value, o.components.min_voxels,
-      static_cast<unsigned long long>(o.seed), o.limits[Criterion::r_over_l].value, o.samples,
-      o.max_vertices, o.block_side, o.stop_after_recover ? " --stop-after recover" : "",
+      path, isovalue, o.r_min.value, o.components.min_voxels, o.limits[Criterion::r_over_l].value,
+      o.max_vertices, o.block_side, o.stop_after_stage1 ? " --stop-after stage1" : "",
       o.limits[Criterion::distance].value,
       o.limits[Criterion::distance].unit == Length::Unit::voxel ? "vox" : "",
       o.limits[Criterion::radius].value, o.limits[Criterion::h_over_r].value);
@@ -204,7 +199,7 @@ void write_case(const Volume& volume, double isovalue, const paper::Options& o, 
       "--lambda %.17g --lines %zu --seed %llu --max-vertices %zu%s%s%s%s --check\n",
       path, isovalue, o.r_min, o.epsilon, o.epsilon1, o.epsilon2, o.lambda, o.lines,
       static_cast<unsigned long long>(o.seed), o.max_vertices, o.keep_hits ? " --keep-hits" : "",
-      o.single_stage ? " --single-stage" : "", o.stop_after_recover ? " --stop-after recover" : "",
+      o.single_stage ? " --single-stage" : "", o.stop_after_recover ? " --stop-after stage1" : "",
       o.solver == CubicMethod::isolation ? " --solver isolation" : "");
   std::fflush(stdout);
 }
@@ -222,8 +217,7 @@ void try_exact(const Volume& volume, double isovalue, const Options& options) {
   }
   const stress::Verdict verdict = stress::judge(volume, mesh, options, report);
   if (verdict.invalid) found(verdict.fault);
-  const bool is_certain = report[Counter::uncertified_sites] == 0;
-  if (options.components.is_all() && is_certain && !verdict.topology_exact) found(verdict.fault);
+  if (options.components.is_all() && !verdict.topology_exact) found(verdict.fault);
 }
 
 void try_published(const Volume& volume, double isovalue, const paper::Options& options) {

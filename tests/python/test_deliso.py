@@ -84,11 +84,11 @@ class TestMesh(TestCase):
         self.assertGreater(len(m.vertices), 100)
         self.same_as_program(
             field(),
-            options=["--spacing", "1,1,2.5", "--max-distance", "0.2vox", "--cap", "--seed", "5"],
+            options=["--spacing", "1,1,2.5", "--max-distance", "0.2vox", "--cap", "--block-side", "9"],
             spacing=(1, 1, 2.5),
             max_distance="0.2vox",
             cap=True,
-            seed=numpy.int64(5),
+            block_side=numpy.int64(9),
         )
         self.same_as_program(field(), options=["--float"], float=True)
         self.same_as_program(field(), options=["--paper"], paper=True, largest=None)

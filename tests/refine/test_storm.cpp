@@ -90,7 +90,7 @@ struct Insertion {
     }
     const std::uint64_t splits_now = done(stage, Operation::boundary_split);
     CHECK(done(stage, Operation::foot) + splits_now == stage.report.insertions_refine);
-    CHECK(stage.report.insertions_refine == mesh.points.size() - stage.report.points_recovered);
+    CHECK(stage.report.insertions_refine == mesh.points.size() - stage.report.vertices_coarsened);
     if (!p) CHECK(splits_now == splits_before + 1);
     if (splits_now > splits_before) return;
     REQUIRE(mesh.points.back() == *p);
@@ -232,7 +232,7 @@ TEST_CASE("every collapse removes one vertex of Stage 1 and keeps the mesh valid
                  const std::vector<std::uint8_t> was = is_used(now.before.faces, p.size());
                  const std::vector<std::uint8_t> is = is_used(stage.mesh.faces, p.size());
                  REQUIRE(std::ranges::count(is, 1) == std::ranges::count(was, 1) - 1);
-                 for (std::size_t v = stage.report.points_recovered; v < is.size(); ++v)
+                 for (std::size_t v = stage.report.vertices_coarsened; v < is.size(); ++v)
                    REQUIRE(is[v]);
                  on_boundary += stage.snapshot().links.size() < now.before.links.size();
                  double worst = 0;

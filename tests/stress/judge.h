@@ -22,7 +22,6 @@ struct Verdict {
   std::uint32_t coincident = 0;     // vertices where another one is
   std::uint32_t intersections = 0;  // pairs of triangles
   std::uint32_t off_surface = 0;    // vertices
-  std::uint64_t uncertified = 0;    // sites
   std::uint64_t triangles = 0;
   double seconds = 0, seconds_mesh = 0;
 };
@@ -64,7 +63,6 @@ inline Verdict judge(const Volume& volume, const TriMesh& mesh, const Options& o
   verdict.coincident = static_cast<std::uint32_t>(v.faults.count(duplicate_vertices));
   verdict.intersections = static_cast<std::uint32_t>(v.faults.count(self_intersections));
   verdict.off_surface = static_cast<std::uint32_t>(v.faults.count(vertices_off_surface));
-  verdict.uncertified = report[Counter::uncertified_sites];
   verdict.triangles = mesh.faces.size();
   return verdict;
 }

@@ -10,7 +10,7 @@
 //
 // Columns: volumes; of these crashed; hung; meshed in more than 2 s; with an invalid mesh
 // (check_mesh, boundary off the box); with components of other topology than the exact contour's;
-// with equal ones that verify() cannot match; with uncertified sites; with vertices at one
+// with equal ones that verify() cannot match; with vertices at one
 // position; with triangles that intersect; pairs of such triangles; volumes with vertices off the
 // surface; triangles. Exit status 1 when a mesh is invalid, a run crashed or hung, or a topology is
 // not exact. With --embedded it is 1 also when triangles intersect, with --matched when verify()
@@ -51,7 +51,7 @@ struct Arguments {
 struct Row {
   std::uint64_t volumes = 0, crashes = 0, hangs = 0, slow = 0, invalid = 0, inexact = 0,
                 intersecting = 0, pairs = 0, off_surface = 0, coincident = 0, disputed = 0,
-                uncertified = 0, triangles = 0;
+                triangles = 0;
   double seconds = 0;
 
   void operator+=(const Row& b) {
@@ -66,7 +66,6 @@ struct Row {
     off_surface += b.off_surface;
     coincident += b.coincident;
     disputed += b.disputed;
-    uncertified += b.uncertified;
     triangles += b.triangles;
     seconds += b.seconds;
   }
@@ -125,7 +124,6 @@ void add(Row& row, const Verdict& verdict) {
   row.off_surface += verdict.off_surface > 0;
   row.coincident += verdict.coincident > 0;
   row.disputed += verdict.disputed;
-  row.uncertified += verdict.uncertified > 0;
   row.triangles += verdict.triangles;
   row.seconds += verdict.seconds;
 }
@@ -140,8 +138,8 @@ void list(std::uint64_t seed, const char* what) {
 void print_row(std::string_view name, const Row& r) {
   std::printf("%-12s", std::string(name).c_str());
   for (const std::uint64_t count :
-       {r.volumes, r.crashes, r.hangs, r.slow, r.invalid, r.inexact, r.disputed, r.uncertified,
-        r.coincident, r.intersecting, r.pairs, r.off_surface, r.triangles}) {
+       {r.volumes, r.crashes, r.hangs, r.slow, r.invalid, r.inexact, r.disputed, r.coincident,
+        r.intersecting, r.pairs, r.off_surface, r.triangles}) {
     std::printf(" %9llu", static_cast<unsigned long long>(count));
   }
   std::printf(" %9.1f\n", r.seconds);
@@ -171,8 +169,8 @@ int run_all(const Arguments& arguments) {
 
   std::printf("%-12s", "kind");
   for (const char* column :
-       {"volumes", "crashes", "hangs", "slow", "invalid", "inexact", "disputed", "uncertif.",
-        "coincid.", "crossing", "pairs", "off", "triangles", "CPU s"}) {
+       {"volumes", "crashes", "hangs", "slow", "invalid", "inexact", "disputed", "coincid.",
+        "crossing", "pairs", "off", "triangles", "CPU s"}) {
     std::printf(" %9s", column);
   }
   std::printf("\n");

@@ -3,9 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include "coarsen/contour_as_mesh.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
-#include "coarsen/contour_as_mesh.h"
 
 using namespace deliso;
 
@@ -21,7 +21,7 @@ bool on_box(const Box3& box, const Vec3& p) {
 }  // namespace
 
 TEST_CASE(
-    "coarse chains have corners and keep the sagitta; splits are on Sigma, on the box, in order") {
+    "every chain keeps the points on edges of the box; splits are on Sigma, on the box, in order") {
   int loops = 0, splits = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     CAPTURE(seed);
@@ -31,14 +31,23 @@ TEST_CASE(
     REQUIRE(curves.loop_count() == scene.contour.boundary.size());
     for (std::uint32_t loop = 0; loop < curves.loop_count(); ++loop) {
       ++loops;
-      const std::vector<CurvePlace> chain = curves.coarse_chain(loop, 0.1);
       const std::uint32_t first = scene.contour.boundary.first[loop];
       const std::size_t n = scene.contour.boundary.chain(loop).size();
-      REQUIRE(chain.size() >= std::min<std::size_t>(3, n));
-      std::vector<std::uint8_t> kept(n, 0);
-      for (const CurvePlace& place : chain) kept[static_cast<std::size_t>(place.s)] = 1;
-      for (std::size_t k = 0; k < n; ++k) {
-        if (scene.contour.boundary.on_box_edge[first + k]) CHECK(kept[k]);
+      // A chain of the kept points, and of others where the sagitta asks for them.
+      const auto at = [&](std::size_t k) -> CurvePoint {
+        const CurvePlace place{loop, static_cast<double>(k)};
+        return {place, curves.point(place)};
+      };
+      std::vector<CurvePlace> chain;
+      for (std::size_t k = 0, last = 0; k < n; ++k) {
+        const CurvePlace place = at(k).place;
+        if (scene.contour.boundary.on_box_edge[first + k]) CHECK(curves.is_kept(place));
+        const double chord = distance(at(last).point, at((k + 1) % n).point);
+        if (k == 0 || curves.is_kept(place) ||
+            curves.strays(at(last), at((k + 1) % n), 0.1 * chord)) {
+          chain.push_back(place);
+          last = k;
+        }
       }
       for (std::size_t k = 0; k < chain.size(); ++k) {
         // Halve one arc again and again, far below voxel size.

@@ -12,7 +12,7 @@
 namespace deliso {
 
 void TraceRecorder::run_begins(const Parameters& parameters, const Report& report) {
-  Recording::run_begins(report.searches_recover, report.searches_refine, parameters.r_min);
+  Recording::run_begins(report.searches_coarsen, report.searches_refine, parameters.r_min);
 }
 
 void TraceRecorder::contour_ready(const SurfaceMesh& t) {

@@ -297,7 +297,7 @@ TEST_CASE("the exact program begins with T, on the surface and of its topology, 
     }
     replay(trace, 1, complex);
     Options stage1;
-    stage1.stop_after_recover = true;
+    stage1.stop_after_stage1 = true;
     CHECK(facets_of(trace, complex) == facets_of(traced(scene, stage1).mesh));
   }
 }
@@ -746,7 +746,7 @@ TEST_CASE("searches and their voxels are counted event by event, each in its sta
   for_both_programs([&](const auto& options) {
     const Traced run = traced(scene, options);
     const TraceArrays& a = run.trace.arrays();
-    SearchCounters in_recover = run.report.searches_recover, in_refine = run.report.searches_refine;
+    SearchCounters in_recover = run.report.searches_coarsen, in_refine = run.report.searches_refine;
     in_recover += run.published.searches_recover;
     in_refine += run.published.searches_refine;
     REQUIRE(in_recover.searches > 0);
