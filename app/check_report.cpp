@@ -108,9 +108,14 @@ std::string delaunay_text(const DelaunayShare& d) {
   if (!d.measured) return "delaunay  not measured\n";
   return text("delaunay  of ", d.triangles, " triangles ", d.delaunay, " are Delaunay facets, ",
               d.restricted, " restricted ones (", rounded(100 * d.share(), 5), " %)\n          ",
-              d.missing, " restricted facets are missing, ", d.multiple,
-              " Voronoi edges meet the surface twice or more\n          ", d.occupied,
-              " surface balls hold a vertex, ", d.without_ball, " triangles have none\n");
+              d.occupied, " surface balls hold a vertex, ", d.without_ball,
+              " triangles have none\n");
+}
+
+std::string voronoi_text(const VoronoiEdges& v) {
+  if (!v.measured) return "voronoi   not measured\n";
+  return text("voronoi   ", v.missing, " restricted facets are missing, ", v.multiple,
+              " Voronoi edges meet the surface twice or more\n");
 }
 
 std::string counts_text(const TopologyCounts& t) {
@@ -127,6 +132,7 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
   options.threads = asked.threads;
   options.components = asked.components;
   options.restricted_share = line.restricted_share;
+  options.triangulate = line.triangulate;
   options.solid = asked.cap;
   options.limits = resolve(asked, volume).refinement;
   options.limits.shape_floor = 0;
@@ -168,6 +174,7 @@ std::string verification_text(const Verification& v, const Volume& volume) {
              " voxels off the box, ", v.solid->self_intersections, " self-intersections with them");
   }
   out += text("\n", delaunay_text(v.delaunay));
+  if (v.voronoi) out += voronoi_text(*v.voronoi);
   const double bound = v.limits[Criterion::distance];
   out += distances_text("mesh->    ", v.to_surface, bound, voxel, volume);
   out += distances_text("->mesh    ", v.from_surface, 2 * bound, voxel, volume);
@@ -221,11 +228,18 @@ void add_verification(ReportWriter& out, const Verification& v, const Volume& vo
   out.add("delaunay", d.delaunay, "those that are Delaunay facets");
   out.add("restricted", d.restricted, "those whose Voronoi edge meets the surface too");
   out.add("share", d.share(), "restricted over triangles");
-  out.add("missing_facets", d.missing, "restricted facets that are no triangles");
-  out.add("multiple_voronoi_edges", d.multiple, "that meet the surface more than once");
   out.add("occupied_surface_balls", d.occupied, "that hold a vertex");
   out.add("without_surface_ball", d.without_ball, "triangles whose dual line misses the surface");
   out.close();
+  const VoronoiEdges voronoi = v.voronoi.value_or(VoronoiEdges());
+  if (out.if_any(v.voronoi.has_value())) {
+    out.open("voronoi_edges", "with --triangulate: of a Delaunay triangulation of the vertices");
+    out.add("measured", voronoi.measured,
+            "false: given up, since it would take more than n log n; what follows is 0");
+    out.add("missing_facets", voronoi.missing, "restricted facets that are no triangles");
+    out.add("multiple", voronoi.multiple, "that meet the surface more than once");
+    out.close();
+  }
   add_distances(out, "mesh_to_surface_voxels", v.to_surface, voxel,
                 "from points of the triangles to the surface; voxels");
   add_distances(out, "surface_to_mesh_voxels", v.from_surface, voxel,

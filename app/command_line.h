@@ -86,6 +86,7 @@ struct CommandLine {
   bool allow_empty = false;
   bool check = false;
   double restricted_share = 0;  // the least that a check accepts
+  bool triangulate = false;     // a check also counts Voronoi edges
   bool quiet = false;
   bool verbose = false;
 };

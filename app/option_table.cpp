@@ -124,6 +124,10 @@ constexpr OptionSpec kInputAndOutput[] = {
      "exit 1 unless this share of the triangles is restricted Delaunay; of mesh together with "
      "--check (default: the share is reported)",
      [](Line& l, Text o, Text v) { l.restricted_share = v == "0" ? 0 : parse_share(o, v); }},
+    {"--triangulate", 0, "", kCheckOnly,
+     "also triangulate the vertices, which takes as long as all else: restricted Delaunay facets "
+     "that the mesh lacks, and Voronoi edges that meet the surface twice",
+     [](Line& l, Text, Text) { l.triangulate = true; }},
     {"--allow-empty", 0, "", kMeshAndJoin, "an isovalue that gives no surface is no error",
      [](Line& l, Text, Text) { l.allow_empty = true; }},
     {"--roi", 0, "X0:X1,Y0:Y1,Z0:Z1", kVolume,
@@ -204,7 +208,8 @@ constexpr OptionSpec kRest[] = {
      "with --paper: largest r over pole height in Refine (default 0.2)",
      [](Line& l, Text o, Text v) { l.published.epsilon2 = parse_positive(o, v); }},
     {"--lines", 0, "N", kMeshAndTrace,
-     "with --paper: random lines, where the first points are (default 50); with --certified as many "
+     "with --paper: random lines, where the first points are (default 50); with --certified as "
+     "many "
      "random vertices of the exact contour",
      [](Line& l, Text o, Text v) {
        l.published.lines = parse_count(o, v);
@@ -233,7 +238,8 @@ constexpr OptionSpec kRest[] = {
     {"--max-vertices", 0, "N", kMeshAndTrace, "stop with an error beyond N vertices",
      [](Line& l, Text o, Text v) { l.options.max_vertices = parse_count(o, v, 4); }},
     {"--block-side", 0, "N", kAllMeshing,
-     "about how many voxels a block has along each axis (default 64, in large volumes up to 128); "
+     "blocks of about N voxels along each axis (default: of 24 to 128, by equal shares of the "
+     "surface); "
      "whole: the volume is one block",
      [](Line& l, Text o, Text v) {
        l.options.block_side =

@@ -112,7 +112,8 @@ PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::
   part.frame = shape.frame();
   part.isovalue = field.isovalue;
   part.block = mesh_part(field.source, field.isovalue, options, part.choice);
-  part.samples_at_seams = checksum_at_seams(field.source, block_grid(shape, options), part.choice);
+  part.samples_at_seams = checksum_at_seams(
+      field.source, block_grid(field.source, field.isovalue, options), part.choice);
   return part;
 }
 
@@ -154,7 +155,7 @@ CommandLine line_of_join(const CommandLine& join, const PartFile& part) {
 void require_field(std::span<const PartFile> parts, const FieldSource& field,
                    const Options& options, const std::string& volume) {
   const Volume& shape = field.source.shape;
-  const BlockGrid grid = block_grid(shape, options);
+  const BlockGrid grid = block_grid(field.source, field.isovalue, options);
   for (const PartFile& part : parts) {
     const bool same = part.is_of(shape, field.isovalue) &&
                       part.samples_at_seams == checksum_at_seams(field.source, grid, part.choice);

@@ -96,8 +96,10 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
     });
     looks.emplace_back([&] {
       const std::vector<Triangle> triangles = surface.triangles();
-      const TriangleTree tree(surface.points, triangles, options.threads);
-      run.close = find_close_places(surface.points, triangles, tree, volume, options.threads);
+      const VertexGrids grids(surface.points, triangles);
+      run.close =
+          find_close_places(surface.points, triangles, edge_uses(surface.points.size(), triangles),
+                            grids, volume, options.threads);
     });
   }
   if (reported && options.cap) {

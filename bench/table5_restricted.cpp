@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Table 5, which the paper does not have: its claim that Stage 2, without Del S, ends with
-// Del S_2|Sigma. A fresh triangulation of the mesh's vertices tells (check/delaunay_share.h).
+// Del S_2|Sigma. A fresh triangulation of the mesh's vertices tells (check/mesh_triangulation.h).
 // Beside it stand the topology and the crossings of the mesh, and the same of a single stage, which
 // has Del S until the end. Two minutes on the paper's volumes.
+#include <algorithm>
 #include <string>
 #include <vector>
 
-#include "check/delaunay_share.h"
 #include "check/free_space.h"
+#include "check/mesh_triangulation.h"
 #include "check/self_intersections.h"
 #include "check/triangle_tree.h"
 #include "check/validity.h"
@@ -24,19 +25,22 @@ std::vector<std::string> cells_of(const PublishedRuns& runs, const Volume& volum
   Faults faults;
   const CleanMesh mesh = check_validity(runs.mesh, volume.box(), 0, MayEnd::on_box, faults);
   const Isosurface surface(volume, runs.last().kappa);
-  const DelaunayShare share =
-      measure_delaunay_share(mesh, MeshTriangulation(mesh, volume.box()), surface, free);
-  const auto shown = [&](std::size_t n) { return share.measured ? count_of(n) : "-"; };
+  const VoronoiEdges edges =
+      count_voronoi_edges(mesh, MeshTriangulation(mesh, volume.box()), surface, free);
+  const std::size_t triangles = mesh.triangles.size();
+  const auto shown = [&](std::size_t n) { return edges.measured ? count_of(n) : "-"; };
+  const double share = static_cast<double>(edges.restricted) /
+                       static_cast<double>(std::max<std::size_t>(1, triangles));
   const TriangleTree tree(mesh.points, mesh.triangles);
   const Crossings crossings = find_crossings(mesh.points, mesh.triangles, tree);
   const TopologyCounts found = mesh.topology.counts(), exact = contour.summary.topology();
   const auto signed_cell = [](std::int64_t n) { return fixed_cell(static_cast<double>(n), 0); };
-  return {count_of(share.triangles),
-          shown(share.triangles - share.delaunay),
-          shown(share.triangles - share.restricted),
-          share.measured ? fixed_cell(100 * share.share(), 3) : "-",
-          shown(share.missing),
-          shown(share.multiple),
+  return {count_of(triangles),
+          shown(triangles - edges.delaunay),
+          shown(triangles - edges.restricted),
+          edges.measured ? fixed_cell(100 * share, 3) : "-",
+          shown(edges.missing),
+          shown(edges.multiple),
           count_of(found.components),
           count_of(exact.components),
           signed_cell(found.euler),

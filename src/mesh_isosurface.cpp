@@ -81,6 +81,7 @@ TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& op
 }
 
 SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice part) {
+  if (grid_follows_surface(shape, options)) return {{0, 0, 0}, shape.voxels()};
   const std::vector<SampleBox> boxes = block_grid(shape, options).boxes();
   const CellRun own = cells_of(part, boxes.size());
   SampleBox all = own.begin == own.end ? SampleBox{{0, 0, 0}, {1, 1, 1}} : boxes[own.begin];

@@ -13,7 +13,8 @@
 namespace deliso {
 
 // Returns the box of all samples that mesh_part() reads, unless components are chosen: the smallest
-// that holds the part's blocks, and a margin. Of a part without a block it is around some voxel.
+// that holds the part's blocks, and a margin; all of the volume if its samples decide the grid
+// (blocks/mesh_in_blocks.h). Of a part without a block it is around some voxel.
 SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice part);
 
 // Returns the mesh of one part, with what its seams to others still need, and its report. It is

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures of whole meshes, by the renderer.
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -67,6 +66,7 @@ void draw_fineness(const std::string& folder) {
 }
 
 void draw_certified(const std::string& folder) {
+  constexpr std::size_t kSites = 9;
   const Volume volume = make_builtin_volume("builtin:torus:32");
   const double kappa = geometric_isovalue(volume.type(), 0);
   const ContourMesh contour = build_contour(volume, kappa);
@@ -110,7 +110,6 @@ void draw_certified(const std::string& folder) {
   {
     Triangulation sites;
     std::vector<Vec3> points;
-    constexpr std::size_t kSites = 9;
     for (std::size_t n = 0; n < kSites; ++n) {
       points.push_back(contour.points[(2 * n + 1) * contour.points.size() / (2 * kSites)]);
     }
@@ -121,9 +120,7 @@ void draw_certified(const std::string& folder) {
   }
   paper::Report report;
   const TriMesh dual = certified_deliso(
-      volume, 0,
-      {.epsilon = std::numeric_limits<double>::infinity(), .lines = 6, .stop_after_recover = true},
-      report);
+      volume, 0, {.epsilon = Options::kNone, .lines = kSites, .stop_after_recover = true}, report);
   {
     Triangulation sites;
     std::vector<SiteId> ids;

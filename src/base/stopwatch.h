@@ -3,18 +3,23 @@
 #pragma once
 
 #include <chrono>
+#include <utility>
 
 namespace deliso {
 
-// The seconds since its construction.
+// The seconds since its construction, or since it was restarted.
 class Stopwatch {
  public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  // Returns the seconds, and begins anew.
+  double restart() {
+    const Clock::time_point end = Clock::now();
+    return std::chrono::duration<double>(end - std::exchange(start_, end)).count();
   }
 
  private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
 };
 
 // Adds the time from its construction to its destruction to `seconds`.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "coarsen/coarsen.h"
 #include "coarsen/contour_as_mesh.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
@@ -95,10 +96,16 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
   return block;
 }
 
-void refine_block(const BlockRun& run, const Parameters& parameters, Block& block) {
+void coarsen_block(const BlockRun& run, Block& block) {
   if (block.mesh.mesh.faces.empty()) return;
   const BoxSurface at(run.source.read(block.box), run.kappa);
-  refine(block.mesh, at.surface, {at.surface, block.loops}, block.samples, parameters,
+  coarsen(block.mesh, at.surface, {at.surface, block.loops}, run.parameters, block.report);
+}
+
+void refine_block(const BlockRun& run, Block& block) {
+  if (block.mesh.mesh.faces.empty()) return;
+  const BoxSurface at(run.source.read(block.box), run.kappa);
+  refine(block.mesh, at.surface, {at.surface, block.loops}, block.samples, run.parameters,
          block.report);
 }
 

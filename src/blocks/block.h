@@ -70,8 +70,9 @@ struct BlockRun {
 // contour, nonzero if it is kept; empty: all are.
 Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std::uint8_t> kept);
 
-// Stage 2 once more, with other criteria.
-void refine_block(const BlockRun& run, const Parameters& parameters, Block& block);
+// One of the stages once more, as the run's criteria have changed.
+void coarsen_block(const BlockRun& run, Block& block);
+void refine_block(const BlockRun& run, Block& block);
 
 // True if the vertex lies on a seam.
 bool is_on_seam(const Block& block, VertexId v);

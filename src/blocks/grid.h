@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The grid of blocks: planes of samples cut a volume into boxes of voxels. It follows from the
-// volume's size and the desired side alone, never from threads, so that the mesh does not depend on
-// them. Neighboring blocks share the plane of samples between them.
+// volume and the desired side alone, never from threads, so that the mesh does not depend on them.
+// Neighboring blocks share the plane of samples between them.
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "volume/volume.h"
@@ -29,6 +30,7 @@ struct BlockGrid {
 
   // Cuts the volume into equal parts along each axis, of about `side` voxels; 0: does not cut it.
   BlockGrid(const Volume& volume, int side);
+  explicit BlockGrid(std::array<std::vector<int>, 3> given) : planes(std::move(given)) {}
   // Returns the boxes between neighboring planes: the cells. Rows along x, and layers of rows, are
   // passed back and forth, so each cell but the first shares a face with the one before it, and
   // those of a run that meet at an edge meet at faces, too.
@@ -49,8 +51,9 @@ struct CellRun {
 };
 CellRun cells_of(PartChoice part, std::size_t cells);
 
-// Returns about how many voxels a block has along each axis: a fifth of the volume's longest side,
-// but 64 to 128. Where volumes are larger facets are too, and seams would cost more vertices.
+// Returns about how many voxels a block has along each axis in a grid of equal sides: a fifth of
+// the volume's longest side, but 64 to 128. Where volumes are larger facets are too, and seams
+// would cost more vertices.
 int usual_block_side(const Volume& volume);
 
 // Returns a copy of the samples in the box, as a block of the volume; of all samples the volume

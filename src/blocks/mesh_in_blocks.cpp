@@ -9,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "base/text.h"
+#include "blocks/equal_shares.h"
 #include "blocks/order.h"
 #include "blocks/seams.h"
 #include "blocks/weld.h"
@@ -19,6 +20,20 @@
 
 namespace deliso {
 namespace {
+
+// A mesh of a desired size is coarsened from one with at least the first of these times as many
+// vertices or triangles, and if possible no more than the second: from a finer one it would be
+// worse.
+constexpr double kLeastRatio = 1.3, kMostRatio = 2;
+
+// The first bound on the distance for such a mesh, in voxels, and the last ones, where it has too
+// many or too few vertices; and by how much a bound is changed at once.
+constexpr double kFirstDistanceVoxels = 0.05, kLargestDistanceVoxels = 2,
+                 kSmallestDistanceVoxels = 2e-3;
+constexpr double kLeastGrowth = 1.2, kMostGrowth = 3, kLeastFall = 0.25, kMostFall = 0.7;
+
+// Along each axis, of volumes whose samples decide the grid.
+constexpr int kMostFollowedVoxels = 512;
 
 // Crossings are estimated from every so many rows of samples.
 constexpr int kRowStride = 4;
@@ -42,9 +57,11 @@ std::size_t weight_of(const Volume& volume, double kappa, const SampleBox& box) 
   });
 }
 
-BlockGrid grid_for(const Options& options, const Parameters& parameters, const Volume& shape) {
+BlockGrid grid_for(const Options& options, const Parameters& parameters, const VolumeSource& source,
+                   double kappa) {
   // Who follows insertions sees them in one order.
-  return follower(parameters.observer) ? BlockGrid(shape, 0) : block_grid(shape, options);
+  return follower(parameters.observer) ? BlockGrid(source.shape, 0)
+                                       : block_grid(source, kappa, options);
 }
 
 Parameters in_block(const Parameters& given, bool is_divided) {
@@ -93,7 +110,7 @@ class BlockMesher {
               Report& report)
       : options_(options),
         given_(parameters),
-        grid_(grid_for(options, parameters, source.shape)),
+        grid_(grid_for(options, parameters, source, kappa)),
         cells_(grid_.boxes()),
         part_(part),
         own_(cells_of(part, cells_.size())),
@@ -106,8 +123,11 @@ class BlockMesher {
 
   Block run() {
     if (blocks_.empty()) return {};
+    if (given_.has_target()) {
+      parameters_.refinement[Criterion::distance] = kFirstDistanceVoxels * given_.voxel;
+    }
     mesh_blocks();
-    if (given_.has_target()) refine_to_target();
+    if (given_.has_target()) meet_target();
     if (cells_.size() > 1) {
       begin_stage(given_.observer, "weld");
       for_each_task(options_.threads, blocks_.size(),
@@ -201,20 +221,27 @@ class BlockMesher {
     return count;
   }
 
-  // Refines all blocks by bounds on the distance that shrink, until they have enough vertices or
-  // triangles to be coarsened.
-  void refine_to_target() {
-    const double wanted = kFinerRatio * static_cast<double>(std::min(given_.target_triangles,
-                                                                     given_.target_vertices));
+  // Coarsens all blocks by bounds on the distance that grow, until they have not many more vertices
+  // or triangles than desired; then refines them, by bounds that shrink if they have too few.
+  void meet_target() {
+    const auto target =
+        static_cast<double>(std::min(given_.target_triangles, given_.target_vertices));
     double& bound = parameters_.refinement[Criterion::distance];
-    bound = kFirstDistanceVoxels * given_.voxel;
+    const double voxel = given_.voxel;
     for (;;) {
-      for_each_block([&](std::size_t n) { refine_block(run_, parameters_, blocks_[n]); });
-      const auto count = static_cast<double>(counted());
-      if (count >= wanted || bound <= kLastDistanceVoxels * given_.voxel) break;
-      // The number grows about as the inverse of the bound.
-      const double ratio = std::clamp(count / wanted, kLeastDistanceRatio, kMostDistanceRatio);
-      bound = std::max(ratio * bound, kLastDistanceVoxels * given_.voxel);
+      const double ratio = static_cast<double>(counted()) / target;
+      if (ratio <= kMostRatio || bound >= kLargestDistanceVoxels * voxel) break;
+      // The number falls slower than the bound grows.
+      bound = std::min(std::clamp(ratio, kLeastGrowth, kMostGrowth) * bound,
+                       kLargestDistanceVoxels * voxel);
+      for_each_block([&](std::size_t n) { coarsen_block(run_, blocks_[n]); });
+    }
+    for (;;) {
+      for_each_block([&](std::size_t n) { refine_block(run_, blocks_[n]); });
+      const double ratio = static_cast<double>(counted()) / target;
+      if (ratio >= kLeastRatio || bound <= kSmallestDistanceVoxels * voxel) break;
+      bound = std::max(std::clamp(ratio / kMostRatio, kLeastFall, kMostFall) * bound,
+                       kSmallestDistanceVoxels * voxel);
     }
   }
 
@@ -233,6 +260,17 @@ class BlockMesher {
 
 }  // namespace
 
+bool grid_follows_surface(const Volume& shape, const Options& options) {
+  const Index3 voxels = shape.voxels();
+  return options.block_side == Options::kUsualSide &&
+         std::max({voxels.i, voxels.j, voxels.k}) <= kMostFollowedVoxels;
+}
+
+BlockGrid block_grid(const VolumeSource& source, double isovalue, const Options& options) {
+  if (!grid_follows_surface(source.shape, options)) return block_grid(source.shape, options);
+  return BlockGrid(planes_at_equal_shares(SurfaceWork(source, isovalue, options.threads)));
+}
+
 BlockGrid block_grid(const Volume& shape, const Options& options) {
   const bool is_usual = options.block_side == Options::kUsualSide;
   return BlockGrid(shape, is_usual ? usual_block_side(shape) : options.block_side);
@@ -246,7 +284,7 @@ Block mesh_in_blocks(const VolumeSource& source, double kappa, const Options& op
 
 Block join_parts(const VolumeSource& source, double kappa, const Options& options,
                  const Parameters& parameters, std::vector<Block> parts, Report& report) {
-  const BlockGrid grid = grid_for(options, parameters, source.shape);
+  const BlockGrid grid = grid_for(options, parameters, source, kappa);
   const Parameters in_blocks = in_block(parameters, true);
   const BlockRun run{source, kappa, options, in_blocks, grid};
   const std::size_t cells = grid.boxes().size();

@@ -11,8 +11,15 @@
 
 namespace deliso {
 
-// Returns the grid of blocks of a run by these options that is not one block. `shape`: the volume,
-// with samples or without.
+// True if the grid's planes follow from the samples (blocks/equal_shares.h). A part then reads all
+// of the volume. So it is where no side is asked for, in volumes that one process meshes in
+// seconds. Larger ones have many blocks anyway.
+bool grid_follows_surface(const Volume& shape, const Options& options);
+
+// Returns the grid of blocks of a run by these options that is not one block. Reads the source if
+// the grid follows from it.
+BlockGrid block_grid(const VolumeSource& source, double isovalue, const Options& options);
+// The same of a volume whose samples are not known. pre: !grid_follows_surface().
 BlockGrid block_grid(const Volume& shape, const Options& options);
 
 // Returns the mesh of {g = kappa} in a part of the volume's cells, as a welded block. It is refined

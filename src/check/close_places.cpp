@@ -8,51 +8,30 @@
 #include "base/elementary.h"
 #include "base/parallel.h"
 #include "base/triangle.h"
-#include "mesh/incidence.h"
 
 namespace deliso {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr std::size_t kVerticesPerTask = 1u << 12;
-// Bound on the boxes compared for these vertices. A mesh needs some fifty for each. If very many
-// triangles overlap, the rest of the task is given up.
-constexpr std::size_t kMaxBoxesPerTask = 1u << 20;
-
-// Returns a triangle without corner v that is no further from v than `near`; kNoId if there is
-// none. Counts the boxes that it looks at, and gives up at kMaxBoxesPerTask.
-FaceId triangle_near(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
-                     const TriangleTree& tree, VertexId v, double near, std::size_t& boxes) {
-  FaceId found = kNoId;
-  if (boxes > kMaxBoxesPerTask) return found;
-  const Vec3& p = points[v];
-  const Box3 around = Box3{p, p}.grown(near);
-  tree.for_each_leaf_at(around, 0, boxes, [&](std::size_t leaf) {
-    const std::span<const FaceId> here = tree.leaf(leaf);
-    const std::span<const Box3> boxes_here = tree.boxes_of_leaf(leaf);
-    for (std::size_t n = 0; n < here.size() && found == kNoId; ++n) {
-      const FaceId f = here[n];
-      if (!meet(boxes_here[n], around) || has_corner(triangles[f], v)) continue;
-      if (tree.distance2(f, p) < near * near) found = f;
-    }
-    return found == kNoId && boxes <= kMaxBoxesPerTask;
-  });
-  return found;
-}
+constexpr std::size_t kTrianglesAtATime = 1u << 12;
+// Bound on the vertices looked at for these triangles. A mesh needs some thirty for each. If very
+// many lie around them, the rest is given up.
+constexpr std::size_t kMaxLooksAtATime = 1u << 22;
+constexpr std::size_t kMaxBoxesOfVertex = 1u << 20;
 
 class ClosePlaceSearch {
  public:
   ClosePlaceSearch(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
-                   const TriangleTree& tree, const Volume& volume, int threads)
-      : points_(points), triangles_(triangles), tree_(tree), volume_(volume), threads_(threads) {
+                   const VertexGrids& grids, const Volume& volume, int threads)
+      : points_(points), triangles_(triangles), grids_(grids), volume_(volume), threads_(threads) {
     for (const Triangle& t : triangles) {
       for (const VertexId v : t) is_open_[v] = 1;
     }
   }
 
-  ClosePlaces run() {
+  ClosePlaces run(std::span<const EdgeUse> uses) {
     find_needles();
-    find_folds();
+    find_folds(uses);
     find_near();
     return std::move(found_);
   }
@@ -76,9 +55,9 @@ class ClosePlaceSearch {
     }
   }
 
-  void find_folds() {
+  void find_folds(std::span<const EdgeUse> uses) {
     const double most = -cosine(kLeastFold * kDegree);
-    for_each_edge(edge_uses(points_.size(), triangles_), [&](std::span<const EdgeUse> edge) {
+    for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
       if (edge.size() != 2 || edge[0].forward == edge[1].forward) return true;
       const FaceId f = edge[0].triangle, g = edge[1].triangle;
       if (is_needle_[f] || is_needle_[g]) return true;
@@ -100,32 +79,44 @@ class ClosePlaceSearch {
     return dot(normal(f), volume_.gradient(p)) < 0;
   }
 
+  // Each triangle looks for vertices around it. Of several at a vertex the first is reported.
   void find_near() {
     const double near = near_distance(volume_);
     struct Work {
       std::vector<std::pair<VertexId, FaceId>> near;
       std::size_t given_up = 0;
     };
-    std::vector<Work> works(runs_of(points_.size(), kVerticesPerTask));
-    for_each_run(threads_, points_.size(), kVerticesPerTask,
+    std::vector<Work> works(runs_of(triangles_.size(), kTrianglesAtATime));
+    for_each_run(threads_, triangles_.size(), kTrianglesAtATime,
                  [&](std::size_t run, std::size_t begin, std::size_t end) {
-                   std::size_t boxes = 0;
-                   for (std::size_t v = begin; v < end; ++v) {
-                     if (!is_open_[v]) continue;
-                     const FaceId f =
-                         triangle_near(points_, triangles_, tree_, VertexId(v), near, boxes);
-                     if (f != kNoId) works[run].near.emplace_back(v, f);
-                     works[run].given_up += boxes > kMaxBoxesPerTask;
+                   std::size_t looked_at = 0;
+                   for (auto f = FaceId(begin); f < end; ++f) {
+                     const Vec3 &a = corner(f, 0), &b = corner(f, 1), &c = corner(f, 2);
+                     const Box3 box = box_of(a, b, c).grown(near);
+                     grids_.for_each_near(box, looked_at, [&](const NumberedPoint& p) {
+                       const VertexId v(p.number);
+                       if (is_open_[v] != 0 && box.contains(p.at) &&
+                           !has_corner(triangles_[f], v) &&
+                           distance2_to_triangle(p.at, a, b, c) < near * near) {
+                         works[run].near.emplace_back(v, f);
+                       }
+                       return looked_at < kMaxLooksAtATime;
+                     });
+                     works[run].given_up += looked_at >= kMaxLooksAtATime;
                    }
                  });
     for (const Work& work : works) {
       found_.near.insert(found_.near.end(), work.near.begin(), work.near.end());
       found_.given_up += work.given_up;
     }
+    std::ranges::sort(found_.near);
+    const auto of_one_vertex = [](const auto& s, const auto& t) { return s.first == t.first; };
+    const auto end = std::unique(found_.near.begin(), found_.near.end(), of_one_vertex);
+    found_.near.erase(end, found_.near.end());
   }
   const std::vector<Vec3>& points_;
   std::span<const Triangle> triangles_;
-  const TriangleTree& tree_;
+  const VertexGrids& grids_;
   const Volume& volume_;
   const int threads_;
   std::vector<std::uint8_t> is_needle_ = std::vector<std::uint8_t>(triangles_.size(), 0);
@@ -138,8 +129,17 @@ class ClosePlaceSearch {
 
 bool has_triangle_near(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                        const TriangleTree& tree, VertexId v, double distance) {
+  bool found = false;
   std::size_t boxes = 0;
-  return triangle_near(points, triangles, tree, v, distance, boxes) != kNoId;
+  const Vec3& p = points[v];
+  const Box3 around = Box3{p, p}.grown(distance);
+  tree.for_each_leaf_at(around, 0, boxes, [&](std::size_t leaf) {
+    found = std::ranges::any_of(tree.leaf(leaf), [&](FaceId f) {
+      return !has_corner(triangles[f], v) && tree.distance2(f, p) < distance * distance;
+    });
+    return !found && boxes <= kMaxBoxesOfVertex;
+  });
+  return found;
 }
 
 double near_distance(const Volume& volume) {
@@ -148,8 +148,9 @@ double near_distance(const Volume& volume) {
 }
 
 ClosePlaces find_close_places(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
-                              const TriangleTree& tree, const Volume& volume, int threads) {
-  return ClosePlaceSearch(points, triangles, tree, volume, threads).run();
+                              std::span<const EdgeUse> uses, const VertexGrids& grids,
+                              const Volume& volume, int threads) {
+  return ClosePlaceSearch(points, triangles, grids, volume, threads).run(uses);
 }
 
 }  // namespace deliso

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "check/triangle_tree.h"
+#include "check/vertex_grids.h"
+#include "mesh/incidence.h"
 #include "mesh/tri_mesh.h"
 #include "volume/volume.h"
 
@@ -33,14 +35,15 @@ struct ClosePlaces {
   std::vector<FaceId> needles;
   std::vector<std::pair<FaceId, FaceId>> folds;   // one per edge
   std::vector<std::pair<VertexId, FaceId>> near;  // one per vertex
-  std::size_t given_up = 0;  // vertices left out: too many triangles overlap there
+  std::size_t given_up = 0;  // triangles left out: too many vertices are around them
 };
 
 // Finds these places. A fold that the surface has too is none: there both triangles face the side
 // that the gradient of `volume` says. One place is found once: needles are in no fold, and corners
 // of needles and folds are no near vertices. The result is the same for any number of threads.
-// pre: the tree is that of these triangles; none is degenerate.
+// pre: the uses of edges and the grids are those of these triangles; none is degenerate.
 ClosePlaces find_close_places(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
-                              const TriangleTree& tree, const Volume& volume, int threads = 1);
+                              std::span<const EdgeUse> uses, const VertexGrids& grids,
+                              const Volume& volume, int threads = 1);
 
 }  // namespace deliso

@@ -3,151 +3,175 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+#include "base/box3.h"
 #include "base/parallel.h"
 #include "check/patch_at.h"
+#include "check/vertex_grids.h"
+#include "delaunay/predicates.h"
 #include "delaunay/voronoi.h"
 #include "mesh/incidence.h"
 
 namespace deliso {
 namespace {
 
-constexpr std::size_t kCellsAtOnce = 1u << 13, kFacetsAtOnce = 1u << 11;
+constexpr std::size_t kTrianglesPerTask = 1u << 11;
 
-// Returns the distance from a triangle's circumcenter to the nearest point of Sigma on its dual
-// line; infinity without one.
-double height(const CleanMesh& mesh, const Triangle& t, const Isosurface& surface,
-              SearchCounters& counters) {
-  const FacetLine line = facet_line(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
-  return PatchAt(surface, line.center)
-      .distance_along(line.normal, kBallLimitRadii * line.radius, counters);
-}
+// More than the rounding of a vertex's distance from a center, relative.
+constexpr double kBallRounding = 1e-6;
+
+enum class Kind : std::uint8_t { no_facet, facet, restricted };
+
+// The balls through the corners of a triangle, by t: centered at center + t * normal.
+class Balls {
+ public:
+  Balls(const CleanMesh& mesh, const Triangle& t, const VertexGrids& grids, std::size_t& looked_at)
+      : triangle_(t),
+        a_(mesh.points[t[0]]),
+        b_(mesh.points[t[1]]),
+        c_(mesh.points[t[2]]),
+        grids_(grids),
+        looked_at_(looked_at) {}
+
+  const FacetLine& line() const { return line_; }
+  // Returns the balls that hold none of the vertices found in others.
+  const Range& open() const { return open_; }
+  Vec3 at(double t) const { return line_.center + t * line_.normal; }
+
+  // True if the ball holds no vertex. Else vertices in it close the balls that they are in, until
+  // none is open.
+  bool is_empty(double t) {
+    const Vec3 middle = at(t);
+    const double radius2 = line_.radius * line_.radius + t * t;
+    const double beyond2 = (1 + kBallRounding) * radius2;
+    bool empty = true;
+    const Box3 box = Box3{middle, middle}.grown(std::sqrt(beyond2));
+    grids_.for_each_near(box, looked_at_, [&](const NumberedPoint& p) {
+      if (distance2(p.at, middle) < beyond2 && !has_corner(triangle_, VertexId(p.number))) {
+        empty &= !close(p.at, t);
+      }
+      return !open_.empty();
+    });
+    return empty;
+  }
+
+ private:
+  // Closes the balls that p is in, if the one at t is among them.
+  bool close(const Vec3& p, double t) {
+    const int side = orient3d(a_, b_, c_, p);
+    if (side == 0) {  // in the plane, p is in all balls or in none
+      const Vec3 apex = a_ + line_.radius * line_.normal;
+      if (insphere(a_, b_, c_, apex, p) * orient3d(a_, b_, c_, apex) <= 0) return false;
+      open_ = {1, 0};
+      return true;
+    }
+    const double end = equidistant_parameter(a_, b_, c_, p, line_);
+    if (side > 0 ? end >= t : end <= t) return false;
+    if (side > 0) {
+      open_.hi = std::min(open_.hi, end);
+    } else {
+      open_.lo = std::max(open_.lo, end);
+    }
+    return true;
+  }
+
+  const Triangle& triangle_;
+  const Vec3 &a_, &b_, &c_;
+  const VertexGrids& grids_;
+  std::size_t& looked_at_;
+  FacetLine line_ = facet_line(a_, b_, c_);
+  Range open_;
+};
+
+// Looks at one triangle after another, with its own counters.
+class Look {
+ public:
+  Look(const CleanMesh& mesh, const VertexGrids& grids, const Isosurface& surface)
+      : mesh_(mesh), grids_(grids), surface_(surface) {}
+
+  // Returns what the triangle is, as far as it is not given up, and sets its h.
+  Kind operator()(const Triangle& t, double& height) {
+    Balls balls(mesh_, t, grids_, looked_at_);
+    const FacetLine& line = balls.line();
+    const double nearest =
+        PatchAt(surface_, line.center)
+            .parameter_along(line.normal, kBallLimitRadii * line.radius, counters_);
+    height = std::fabs(nearest);
+    if (!std::isfinite(line.radius) || gives_up()) return Kind::no_facet;
+    // Where the nearest point of Sigma is too far for a ball, the vertices in the circumball leave
+    // less of the line to be searched.
+    const bool has_ball = std::isfinite(nearest);
+    const bool empty = balls.is_empty(has_ball ? nearest : 0);
+    if (empty && has_ball) return Kind::restricted;
+    if (is_restricted(balls)) return Kind::restricted;
+    return empty || is_facet(balls) ? Kind::facet : Kind::no_facet;
+  }
+  bool gives_up() const { return looked_at_ > kMaxVerticesPerTriangle * kTrianglesPerTask; }
+
+ private:
+  // True if an open ball with its center on Sigma holds no vertex.
+  bool is_restricted(Balls& balls) {
+    const FacetLine& line = balls.line();
+    const Range range = clip(line.center, line.normal, balls.open(), surface_.volume().box());
+    if (range.empty()) return false;
+    surface_.intersect({balls.at(range.lo), balls.at(range.hi)}, hits_, counters_);
+    for (Hit& hit : hits_) hit.t = range.lo + hit.t * (range.hi - range.lo);
+    // Small balls first: what they hold closes the large ones.
+    std::ranges::sort(hits_, {}, [](const Hit& hit) { return std::fabs(hit.t); });
+    for (const auto& [t, point, leaves] : hits_) {
+      if (gives_up()) break;
+      if (balls.open().lo <= t && t <= balls.open().hi && balls.is_empty(t)) return true;
+    }
+    return false;
+  }
+  // True if any open ball holds no vertex.
+  bool is_facet(Balls& balls) const {
+    while (!balls.open().empty() && !gives_up()) {
+      if (balls.is_empty(std::clamp(0.0, balls.open().lo, balls.open().hi))) return true;
+    }
+    return false;
+  }
+
+  const CleanMesh& mesh_;
+  const VertexGrids& grids_;
+  const Isosurface& surface_;
+  std::vector<Hit> hits_;
+  SearchCounters counters_;
+  std::size_t looked_at_ = 0;
+};
 
 }  // namespace
 
-MeshTriangulation::MeshTriangulation(const CleanMesh& mesh, const Box3& box) {
-  std::vector<Vec3> points;
-  std::vector<VertexId> source;
-  for (VertexId v = 0; v < mesh.points.size(); ++v) {
-    if (mesh.component[v] == kNoId) continue;
-    points.push_back(mesh.points[v]);
-    source.push_back(v);
-  }
-  append_auxiliary(box, points);
-  std::vector<SiteId> ids;
-  built_ = cells_.build(points, ids, kMaxCellsPerVertex);
-  if (!built_) return;
-  vertex_of_.assign(cells_.vertex_capacity(), kNoId);
-  for (std::size_t n = 0; n < source.size(); ++n) vertex_of_[ids[n]] = source[n];
-}
-
-Triangle MeshTriangulation::corners(const Facet& f) const {
-  const SiteTriangle sites = facet_vertices(cells_, f);
-  Triangle corners{vertex_of_[sites[0]], vertex_of_[sites[1]], vertex_of_[sites[2]]};
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
-
-DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const MeshTriangulation& triangulation,
-                                     const Isosurface& surface, const FreeSpace& free,
+DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const VertexGrids& grids,
+                                     const Isosurface& surface, std::vector<double>& heights,
                                      int threads) {
+  const std::size_t triangles = mesh.triangles.size();
+  std::vector<Kind> kinds(triangles);
+  heights.resize(triangles);
+  std::vector<std::uint8_t> given_up(runs_of(triangles, kTrianglesPerTask), 0);
+  for_each_run(threads, triangles, kTrianglesPerTask,
+               [&](std::size_t run, std::size_t begin, std::size_t end) {
+                 Look look(mesh, grids, surface);
+                 for (std::size_t n = begin; n < end; ++n) {
+                   kinds[n] = look(mesh.triangles[n], heights[n]);
+                 }
+                 given_up[run] = look.gives_up();
+               });
   DelaunayShare share;
-  share.triangles = mesh.triangles.size();
-  share.measured = mesh.triangles.empty() || triangulation.built();
-  if (mesh.triangles.empty() || !share.measured) return share;
-
-  const Triangulation& cells = triangulation.cells();
-  const Box3 box = surface.volume().box();
-  IdArray<CellId, FreeSpace::Cube> cubes(cells.cell_capacity());
-  for_each_run(threads, cubes.size(), kCellsAtOnce, [&](std::size_t begin, std::size_t end) {
-    for (auto c = CellId(begin); c < end; ++c) {
-      if (!cells.is_live(c) || cells.is_infinite(c)) continue;
-      const Circumsphere sphere = circumsphere(cells, c);
-      cubes[c] = free.around(sphere.center, sphere.radius);
-    }
-  });
-  const TrianglesByCorners wanted(mesh.points.size(), mesh.triangles);
-  enum : std::uint8_t { kNoFacet, kFacet, kRestricted };
-  std::vector<std::uint8_t> state(mesh.triangles.size(), kNoFacet);
-  // Calls visit(facet, run) for the facets whose corners are all of the mesh; each once, from the
-  // cell with the larger id.
-  const auto for_each_facet = [&](auto&& visit) {
-    for_each_run(threads, cells.cell_capacity(), kCellsAtOnce,
-                 [&](std::size_t run, std::size_t begin, std::size_t end) {
-                   for (auto c = CellId(begin); c < end; ++c) {
-                     if (!cells.is_live(c) || cells.is_infinite(c)) continue;
-                     for (int i = 0; i < 4; ++i) {
-                       if (cells.neighbor(c, i) < c) visit(Facet{c, i}, run);
-                     }
-                   }
-                 });
-  };
-  struct Run {  // of facets
-    std::size_t missing = 0, multiple = 0;
-    std::vector<Hit> hits;
-    SearchCounters counters;
-  };
-  std::vector<Run> runs(runs_of(cells.cell_capacity(), kCellsAtOnce));
-  for_each_facet([&](const Facet& f, std::size_t n) {
-    if (cover_segment(cubes[f.cell], cubes[cells.neighbor(f.cell, f.index)])) return;
-    const Triangle corners = triangulation.corners(f);
-    if (corners[2] == kNoId) return;
-    const FacetDual dual = facet_dual(cells, f);
-    const Range range = clip(dual.center, dual.normal, {dual.t_lo, dual.t_hi}, box);
-    if (range.empty()) return;
-    Run& run = runs[n];
-    surface.intersect({dual.at(range.lo), dual.at(range.hi)}, run.hits, run.counters);
-    const std::size_t crossings = run.hits.size();
-    if (crossings == 0) return;
-    run.multiple += crossings > 1;
-    const std::uint32_t found = wanted.find(corners);
-    if (found == kNoId) {
-      ++run.missing;
-    } else {
-      state[found] = kRestricted;
-    }
-  });
-  for (const Run& run : runs) {
-    share.missing += run.missing;
-    share.multiple += run.multiple;
-  }
-  // The few other triangles may still be Delaunay facets.
-  std::vector<std::uint8_t> is_corner(mesh.points.size(), 0);
-  for (std::size_t n = 0; n < state.size(); ++n) {
-    for (const VertexId v : mesh.triangles[n]) is_corner[v] |= state[n] == kNoFacet;
-  }
-  for_each_facet([&](const Facet& f, std::size_t) {
-    for (const SiteId site : facet_vertices(cells, f)) {
-      const VertexId v = triangulation.vertex(site);
-      if (v == kNoId || !is_corner[v]) return;
-    }
-    const std::uint32_t found = wanted.find(triangulation.corners(f));
-    if (found != kNoId && state[found] == kNoFacet) state[found] = kFacet;
-  });
-
-  SearchCounters counters;
-  for (std::uint32_t n = 0; n < mesh.triangles.size(); ++n) {
-    share.delaunay += state[n] != kNoFacet;
-    share.restricted += state[n] == kRestricted;
-    if (state[n] == kRestricted) continue;
+  share.triangles = triangles;
+  share.measured = std::ranges::count(given_up, 1) == 0;
+  if (!share.measured) return share;
+  for (std::size_t n = 0; n < triangles; ++n) {
+    share.delaunay += kinds[n] != Kind::no_facet;
+    share.restricted += kinds[n] == Kind::restricted;
+    if (kinds[n] == Kind::restricted) continue;
     if (share.first_outside.size() < Faults::kShown) share.first_outside.push_back(mesh.id[n]);
-    // A surface ball is empty exactly if its center is on the dual Voronoi edge.
-    const bool ball = std::isfinite(height(mesh, mesh.triangles[n], surface, counters));
-    share.occupied += ball;
-    share.without_ball += !ball;
+    const bool has_ball = std::isfinite(heights[n]);
+    share.occupied += has_ball;
+    share.without_ball += !has_ball;
   }
   return share;
-}
-
-std::vector<double> surface_heights(const CleanMesh& mesh, const Isosurface& surface, int threads) {
-  std::vector<double> heights(mesh.triangles.size());
-  for_each_run(threads, heights.size(), kFacetsAtOnce, [&](std::size_t begin, std::size_t end) {
-    SearchCounters counters;
-    for (std::size_t n = begin; n < end; ++n) {
-      heights[n] = height(mesh, mesh.triangles[n], surface, counters);
-    }
-  });
-  return heights;
 }
 
 }  // namespace deliso

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Measures how much of a mesh is the restricted Delaunay triangulation of its vertices (paper
-// §2.1). Makes a fresh triangulation, and tests the dual Voronoi edge of each of its facets against
-// Sigma.
+// §2.1), without that triangulation. A triangle is a facet of it exactly if some ball through its
+// corners holds no other vertex, and a restricted one if such a ball has its center on Sigma. The
+// centers of all balls through the corners lie on the triangle's dual line. A vertex in the ball at
+// center + t * normal is in all balls further on its side of the triangle: each vertex found leaves
+// a shorter interval of t. So one or two balls tell nearly always.
+//
+// check/mesh_triangulation.h has the triangulation, for what only that can tell.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
-#include "check/free_space.h"
 #include "check/validity.h"
-#include "delaunay/triangulation.h"
+#include "check/vertex_grids.h"
 #include "isosurface/isosurface.h"
 
 namespace deliso {
@@ -19,8 +23,6 @@ struct DelaunayShare {
   std::size_t triangles = 0;
   std::size_t delaunay = 0;    // of these: facets of the Delaunay triangulation of the vertices
   std::size_t restricted = 0;  // of these: the dual Voronoi edge meets Sigma
-  std::size_t missing = 0;     // restricted facets that are not in the mesh
-  std::size_t multiple = 0;    // Voronoi edges that meet Sigma more than once
   std::size_t occupied = 0;    // triangles whose surface ball holds a vertex
   std::size_t without_ball =
       0;  // triangles whose dual line misses Sigma within kBallLimitRadii * r
@@ -36,40 +38,15 @@ struct DelaunayShare {
 // to its circumcenter, if that is at most this far away.
 inline constexpr double kBallLimitRadii = 4;
 
-// Bound on the cells created or walked through for each vertex, on average. Vertices spread over a
-// surface need about forty. Those of a helix seen from its axis, or around a center, would need as
-// many as there are vertices.
-inline constexpr std::size_t kMaxCellsPerVertex = 96;
+// Bound on the cells and vertices looked at for each triangle, on average. Triangles of a surface
+// need about thirty. If their balls hold a large part of all vertices, the rest is given up.
+inline constexpr std::size_t kMaxVerticesPerTriangle = 1u << 12;
 
-// The Delaunay triangulation of a mesh's vertices, with auxiliary ones.
-class MeshTriangulation {
- public:
-  MeshTriangulation(const CleanMesh& mesh, const Box3& box);
-
-  // Returns false if there is none: all vertices lie in one plane with the auxiliary ones, or it
-  // takes too many cells.
-  bool built() const { return built_; }
-  const Triangulation& cells() const { return cells_; }
-  // Returns a site's vertex of the mesh; kNoId for an auxiliary one.
-  VertexId vertex(SiteId site) const { return vertex_of_[site]; }
-  // Returns the facet's corners in the mesh, ascending, with kNoId for auxiliary vertices.
-  Triangle corners(const Facet& f) const;
-
- private:
-  Triangulation cells_;
-  std::vector<VertexId> vertex_of_;  // of the mesh
-  bool built_ = false;
-};
-
-// Measures the share. Voronoi edges are compared with Sigma only outside of `free`. The result is
-// the same for any number of threads.
-DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const MeshTriangulation& triangulation,
-                                     const Isosurface& surface, const FreeSpace& free,
+// Measures the share. `heights` receives h of each triangle, from the circumcenter to the surface
+// ball's center; infinite without a ball. The result is the same for any number of threads. pre:
+// the grids are those of the mesh.
+DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const VertexGrids& grids,
+                                     const Isosurface& surface, std::vector<double>& heights,
                                      int threads = 1);
-
-// Returns h of each triangle, from the circumcenter to the surface ball's center; infinite without
-// a ball.
-std::vector<double> surface_heights(const CleanMesh& mesh, const Isosurface& surface,
-                                    int threads = 1);
 
 }  // namespace deliso

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/parallel.h"
@@ -16,7 +18,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr std::size_t kTrianglesAtOnce = 1u << 10;
+constexpr std::size_t kTrianglesAtOnce = 1u << 10, kUsesAtOnce = 1u << 11;
 
 // Summarizes distances in their order. Infinite ones belong to points without Sigma, negative ones
 // to points given up. `at` returns where number n was measured, `triangle_of` on which triangle.
@@ -93,46 +95,104 @@ double distance_to_curve(const Vec3& a, const Vec3& b, const Isosurface& surface
   return nearest;
 }
 
+// The search for Sigma on lines through a point, which may be of several triangles.
+class LinesThrough {
+ public:
+  // `corner`: the line to it is searched for all triangles.
+  LinesThrough(const Isosurface& surface, const Vec3& p, const Vec3& corner, double limit,
+               double bound)
+      : p_(p),
+        corner_(corner),
+        patch_(surface, p),
+        near_(std::min(bound, limit / 8)),
+        steep_(patch_.distance_along(patch_.gradient(), limit, counters_)),
+        limit_(std::min(limit, steep_)) {}
+
+  // Returns the distance that a triangle of this normal has here. `others`: more corners.
+  double distance(const Vec3& normal, std::initializer_list<Vec3> others) {
+    // A search is limited by the hits before.
+    double d = std::min(steep_, along(normal, limit_));
+    if (d <= near_) return d;
+    // Both may miss a thin or small piece of Sigma.
+    if (!common_) {
+      common_ = kInfinity;
+      for (const Vec3& direction : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, corner_ - p_}) {
+        common_ = std::min(*common_, along(direction, std::min(limit_, *common_)));
+      }
+    }
+    d = std::min(d, *common_);
+    for (const Vec3& other : others) {
+      d = std::min(d, along(other - p_, std::min(limit_, d)));
+    }
+    return d;
+  }
+
+ private:
+  double along(const Vec3& direction, double limit) {
+    return patch_.distance_along(direction, limit, counters_);
+  }
+
+  SearchCounters counters_;
+  const Vec3 p_, corner_;
+  const PatchAt patch_;
+  const double near_;
+  const double steep_;  // along the gradient
+  const double limit_;
+  std::optional<double> common_;  // along the axes and to the common corner
+};
+
+// Point 0 of a triangle is its middle, the others are those of its sides.
+std::size_t point_of_side(std::size_t side) {
+  return 1 + (side + 1) % 3;
+}
+Vec3 measured_point(const CleanMesh& mesh, std::size_t n, std::size_t k) {
+  const auto& [a, b, c] = mesh.triangles[n];
+  const std::array<Vec3, 3> at{mesh.points[a], mesh.points[b], mesh.points[c]};
+  return k == 0 ? (at[0] + at[1] + at[2]) / 3 : 0.5 * (at[k - 1] + at[k % 3]);
+}
+
 }  // namespace
 
 std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3& c,
-                                        const Isosurface& surface, double limit, double bound,
-                                        SearchCounters& counters) {
+                                        const Isosurface& surface, double limit, double bound) {
   const Vec3 normal = area_normal(a, b, c);
-  std::array<Measure, 4> measures{
-      {{(a + b + c) / 3}, {0.5 * (a + b)}, {0.5 * (b + c)}, {0.5 * (c + a)}}};
-  for (auto& [p, d] : measures) {
-    const PatchAt patch(surface, p);
-    const double steep = patch.distance_along(patch.gradient(), limit, counters);
-    // The second search is limited by the hit of the first.
-    const double straight = patch.distance_along(normal, std::min(limit, steep), counters);
-    d = std::min(steep, straight);
-    if (d > std::min(bound, limit / 8)) {  // both may miss a thin or small piece of Sigma
-      for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, a - p, b - p, c - p}) {
-        d = std::min(d, patch.distance_along(axis, std::min(limit, d), counters));
-      }
-    }
-  }
-  return measures;
+  const auto at = [&](const Vec3& p, const Vec3& corner, std::initializer_list<Vec3> others) {
+    return Measure{p, LinesThrough(surface, p, corner, limit, bound).distance(normal, others)};
+  };
+  return {at((a + b + c) / 3, a, {b, c}), at(0.5 * (a + b), a, {c}), at(0.5 * (b + c), b, {a}),
+          at(0.5 * (c + a), c, {b})};
 }
 
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
                                const DistanceBound& bound, int threads,
                                std::vector<double>* of_triangles) {
-  const auto measure = [&](std::size_t n, SearchCounters& counters) {
-    const Triangle& t = mesh.triangles[n];
-    return measure_triangle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], surface, limit,
-                            bound.distance, counters);
+  const auto normal = [&](std::size_t n) {
+    const auto& [a, b, c] = mesh.triangles[n];
+    return area_normal(mesh.points[a], mesh.points[b], mesh.points[c]);
   };
   std::vector<double> values(4 * mesh.triangles.size());
   for_each_run(threads, mesh.triangles.size(), kTrianglesAtOnce,
                [&](std::size_t begin, std::size_t end) {
-                 SearchCounters counters;
                  for (std::size_t n = begin; n < end; ++n) {
-                   const std::array<Measure, 4> measures = measure(n, counters);
-                   for (std::size_t k = 0; k < 4; ++k) values[4 * n + k] = measures[k].distance;
+                   const auto& [a, b, c] = mesh.triangles[n];
+                   LinesThrough lines(surface, measured_point(mesh, n, 0), mesh.points[a], limit,
+                                      bound.distance);
+                   values[4 * n] = lines.distance(normal(n), {mesh.points[b], mesh.points[c]});
                  }
                });
+  // The middle of an edge is searched once for its triangles.
+  for_each_run(threads, mesh.uses.size(), kUsesAtOnce, [&](std::size_t begin, std::size_t end) {
+    for_each_edge(edges_within(mesh.uses, begin, end), [&](std::span<const EdgeUse> edge) {
+      const Vec3 &p = mesh.points[edge[0].lo], &q = mesh.points[edge[0].hi];
+      LinesThrough lines(surface, 0.5 * (p + q), p, limit, bound.distance);
+      for (const EdgeUse& use : edge) {
+        const Vec3& opposite = mesh.points[mesh.triangles[use.triangle][use.side]];
+        values[4 * use.triangle + point_of_side(use.side)] =
+            lines.distance(normal(use.triangle), {opposite});
+      }
+      return true;
+    });
+  });
   if (of_triangles) {
     of_triangles->clear();
     for (auto first = values.begin(); first != values.end(); first += 4) {
@@ -141,10 +201,7 @@ Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface,
   }
   return summarize(
       std::move(values), mesh, bound,
-      [&](std::size_t n) {
-        SearchCounters counters;
-        return measure(n / 4, counters)[n % 4].at;
-      },
+      [&](std::size_t n) { return measured_point(mesh, n / 4, n % 4); },
       [](std::size_t n) { return n / 4; });
 }
 

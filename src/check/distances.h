@@ -51,8 +51,7 @@ struct Measure {
 // within `bound`, or near by, also searches along the axes and towards the corners. The shortest of
 // these is an upper bound of the distance.
 std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3& c,
-                                        const Isosurface& surface, double limit, double bound,
-                                        SearchCounters& counters);
+                                        const Isosurface& surface, double limit, double bound);
 
 // Measures all triangles. `of_triangles`, if given, receives the largest distance of each.
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,

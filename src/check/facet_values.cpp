@@ -92,11 +92,10 @@ std::vector<double> facet_distances(const TriMesh& home, const Volume& volume, d
   const double limit = kSearchDiagonals * length(volume.spacing());
   std::vector<double> distances(home.faces.size(), 0);
   for_each_run(threads, distances.size(), kFacetsOfThread, [&](std::size_t begin, std::size_t end) {
-    SearchCounters counters;
     for (FaceId f(begin); f < end; ++f) {
       const auto& [a, b, c] = home.faces[f].v;
       for (const Measure& m : measure_triangle(home.points[a], home.points[b], home.points[c],
-                                               surface, limit, kNear * volume.voxel(), counters)) {
+                                               surface, limit, kNear * volume.voxel())) {
         distances[f] = std::max(distances[f], m.distance);
       }
     }

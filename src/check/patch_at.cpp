@@ -11,9 +11,10 @@ namespace {
 constexpr int kMaxSteps = 8;            // of Newton's method; near Sigma two or three do
 constexpr double kLastStep = 1e-7;      // of the distance; the next step is its square
 constexpr double kRoundingRoom = 1e-9;  // more than the rounding of a distance, relative
+constexpr double kBeyond = std::numeric_limits<double>::infinity();
 
-Corners corners_above(const Isosurface& surface, const Vec3& p) {
-  Corners c = surface.volume().corners(surface.volume().voxel_at(p));
+Corners corners_above(const Isosurface& surface, Index3 voxel) {
+  Corners c = surface.volume().corners(voxel);
   for (double& value : c) value -= surface.kappa();
   return c;
 }
@@ -21,9 +22,11 @@ Corners corners_above(const Isosurface& surface, const Vec3& p) {
 }  // namespace
 
 PatchAt::PatchAt(const Isosurface& surface, const Vec3& p)
-    : surface_(surface), p_(p), patch_(corners_above(surface, p)) {
+    : PatchAt(surface, p, surface.volume().voxel_at(p)) {}
+
+PatchAt::PatchAt(const Isosurface& surface, const Vec3& p, Index3 voxel)
+    : surface_(surface), p_(p), patch_(corners_above(surface, voxel)) {
   const Volume& volume = surface.volume();
-  const Index3 voxel = volume.voxel_at(p);
   for (int axis = 0; axis < 3; ++axis) {
     per_spacing_[axis] = 1 / volume.spacing()[axis];
     u_[axis] = volume.in_samples(p, axis) - voxel[axis];
@@ -34,33 +37,36 @@ PatchAt::PatchAt(const Isosurface& surface, const Vec3& p)
   slope_ = patch_.gradient(u_);
 }
 
-double PatchAt::distance_along(const Vec3& direction, double limit,
-                               SearchCounters& counters) const {
-  constexpr double kBeyond = std::numeric_limits<double>::infinity();
+double PatchAt::parameter_along(const Vec3& direction, double limit,
+                                SearchCounters& counters) const {
   const double size = length(direction);
   if (!(size > 0) || !std::isfinite(size)) return kBeyond;
   const Vec3 unit = direction / size;
-  if (const auto d = distance_within(unit)) return *d <= limit ? *d : kBeyond;
+  if (const auto t = parameter_within(unit, limit)) return std::fabs(*t) <= limit ? *t : kBeyond;
   const auto hit = surface_.nearest(p_, unit, limit, counters);
-  return hit ? std::fabs(hit->t) : kBeyond;
+  return hit ? hit->t : kBeyond;
 }
 
 // Returns nothing unless the voxel holds all points of the line that are as near as the one of
-// Sigma, and the cubic is monotone on them: then there is just that one.
-std::optional<double> PatchAt::distance_within(const Vec3& direction) const {
+// Sigma, and the cubic is monotone on them: then there is just that one. Or it holds all points
+// within the limit, and they are too few for the cubic to become 0.
+std::optional<double> PatchAt::parameter_within(const Vec3& direction, double limit) const {
   const Vec3 w = times(direction, per_spacing_);
   const TrilinearPatch::Cubic f = patch_.along(u_, value_, slope_, w);
+  const auto holds = [&](double d) {
+    return std::fabs(w.x) * d < room_.x && std::fabs(w.y) * d < room_.y &&
+           std::fabs(w.z) * d < room_.z;
+  };
+  const double d1 = std::fabs(f.c1), d2 = std::fabs(f.c2), d3 = std::fabs(f.c3);
+  const double all = (1 + kRoundingRoom) * limit;
+  if (all * (d1 + all * (d2 + all * d3)) < std::fabs(f.c0) && holds(all)) return kBeyond;
   double t = -f.c0 / f.c1;
   for (int n = 0; n < kMaxSteps; ++n) {
     const double d = (1 + kRoundingRoom) * std::fabs(t);
-    if (!(std::fabs(w.x) * d < room_.x && std::fabs(w.y) * d < room_.y &&
-          std::fabs(w.z) * d < room_.z &&
-          (2 * std::fabs(f.c2) + 3 * std::fabs(f.c3) * d) * d < std::fabs(f.c1))) {
-      return std::nullopt;
-    }
+    if (!(holds(d) && (2 * d2 + 3 * d3 * d) * d < d1)) return std::nullopt;
     const double step = f.at(t) / f.slope(t);
     t -= step;
-    if (std::fabs(step) <= kLastStep * d) return std::fabs(t);
+    if (std::fabs(step) <= kLastStep * d) return t;
   }
   return std::nullopt;
 }

@@ -4,6 +4,7 @@
 // so near to Sigma that this cubic alone tells the distance, without a walk over voxels.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "contour/voxel_point.h"
@@ -19,12 +20,18 @@ class PatchAt {
   // Returns the gradient of g at the point, clamped to the box.
   Vec3 gradient() const { return times(slope_, per_spacing_); }
 
-  // Returns the distance to the point of Sigma nearest along the line in this direction; infinite
-  // if it is further than `limit`, or if the direction has no length or is not finite.
-  double distance_along(const Vec3& direction, double limit, SearchCounters& counters) const;
+  // Returns where the point of Sigma nearest along the line in this direction is, at a signed
+  // distance; infinite if it is further than `limit`, or if the direction has no length or is not
+  // finite.
+  double parameter_along(const Vec3& direction, double limit, SearchCounters& counters) const;
+  // The same without its sign.
+  double distance_along(const Vec3& direction, double limit, SearchCounters& counters) const {
+    return std::fabs(parameter_along(direction, limit, counters));
+  }
 
  private:
-  std::optional<double> distance_within(const Vec3& direction) const;
+  PatchAt(const Isosurface& surface, const Vec3& p, Index3 voxel);  // which holds p
+  std::optional<double> parameter_within(const Vec3& direction, double limit) const;
 
   const Isosurface& surface_;
   Vec3 p_;

@@ -82,8 +82,9 @@ class Search {
     tree_.for_each_leaf_at(box, leaf, work.boxes, [&](std::size_t other) {
       const std::span<const FaceId> theirs = tree_.leaf(other);
       const std::span<const Box3> their_boxes = tree_.boxes_of_leaf(other);
-      for (std::size_t m = 0; m < mine.size(); ++m) {
-        for (std::size_t n = other == leaf ? m + 1 : 0; n < theirs.size(); ++n) {
+      for (std::size_t n = 0; n < theirs.size(); ++n) {
+        if (!meet(box, their_boxes[n])) continue;
+        for (std::size_t m = 0; m < (other == leaf ? n : mine.size()); ++m) {
           if (meet(my_boxes[m], their_boxes[n])) test(mine[m], theirs[n], work);
         }
       }

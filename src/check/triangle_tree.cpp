@@ -2,9 +2,11 @@
 #include "check/triangle_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/parallel.h"
+#include "check/point_grid.h"
 
 namespace deliso {
 namespace {
@@ -14,6 +16,13 @@ constexpr std::size_t kPointsPerTask = 1u << 14;
 // Bound on the leaves visited for these points. A mesh has about five near a point. If very many
 // overlap, the rest of the task is given up.
 constexpr std::size_t kMaxLeavesPerTask = 1u << 20;
+
+// In mean sizes of a triangle. Nearly all points of Sigma are so near to the mesh. They are found
+// from the triangles, which look for points around them.
+constexpr double kMarginSizes = 0.125;
+constexpr double kCellMargins = 10;  // side of a cell of points, in margins
+// Bound on the points looked at for triangles. Each is looked at about thirty times.
+constexpr std::size_t kMaxLooksPerTask = 1u << 23;
 
 }  // namespace
 
@@ -96,15 +105,53 @@ void TriangleTree::build(const Subtree& part, std::span<Item> items) {
   boxes_[part.node] = united(boxes_[2 * part.node + 1], boxes_[2 * part.node + 2]);
 }
 
+double TriangleTree::mean_size() const {
+  double sum = 0;
+  for (const Box3& box : triangle_boxes_) {
+    const Vec3 size = box.size();
+    sum += std::max({size.x, size.y, size.z});
+  }
+  return sum / static_cast<double>(triangle_boxes_.size());
+}
+
+bool TriangleTree::search_near(std::span<const Vec3> points, double margin,
+                               std::span<NearestTriangle> found) const {
+  Box3 around{points[0], points[0]};
+  std::vector<NumberedPoint> numbered;
+  for (std::uint32_t n = 0; n < points.size(); ++n) {
+    numbered.push_back({points[n], n});
+    around = united(around, {points[n], points[n]});
+  }
+  const PointGrid grid(numbered, kCellMargins * margin);
+  std::size_t boxes_tested = 0, looked_at = 0;
+  for_each_leaf_at(around.grown(margin), 0, boxes_tested, [&](std::size_t n) {
+    for (std::size_t k = 0; k < leaf(n).size(); ++k) {
+      const FaceId f = leaf(n)[k];
+      const Box3 box = boxes_of_leaf(n)[k].grown(margin);
+      grid.for_each_near(box, looked_at, [&](const NumberedPoint& p) {
+        if (box.contains(p.at)) lower(found[p.number], f, p.at);
+        return looked_at < kMaxLooksPerTask;
+      });
+    }
+    return looked_at < kMaxLooksPerTask;
+  });
+  return looked_at < kMaxLooksPerTask;
+}
+
 std::vector<NearestTriangle> TriangleTree::nearest(std::span<const Vec3> points,
                                                    int threads) const {
   std::vector<NearestTriangle> found(points.size());
   if (order_.empty()) return found;
+  const double margin = kMarginSizes * mean_size();
   for_each_run(threads, points.size(), kPointsPerTask, [&](std::size_t begin, std::size_t end) {
+    const std::size_t size = end - begin;
+    const bool is_complete =
+        search_near(points.subspan(begin, size), margin, std::span(found).subspan(begin, size));
     std::size_t leaves_left = kMaxLeavesPerTask;
-    FaceId near = 0;  // of the last point, which is near the next one
+    FaceId near = 0;  // of the last point searched, which is near the next one
     for (std::size_t n = begin; n < end; ++n) {
-      found[n] = {near, distance2(near, points[n])};
+      if (is_complete && found[n].distance2 <= margin * margin) continue;
+      lower(found[n], near, points[n]);
       search(points[n], found[n], leaves_left);
       near = found[n].triangle;
       if (leaves_left == 0) found[n].distance2 = kGivenUp;
@@ -118,10 +165,7 @@ void TriangleTree::search(const Subtree& part, const Vec3& p, NearestTriangle& b
   if (leaves_left == 0) return;
   if (part.is_leaf()) {
     --leaves_left;
-    for (const FaceId f : leaf(part.begin)) {
-      const double d = distance2(f, p);
-      if (d < best.distance2) best = {f, d};
-    }
+    for (const FaceId f : leaf(part.begin)) lower(best, f, p);
     return;
   }
   const double left = distance2_to(boxes_[2 * part.node + 1], p);

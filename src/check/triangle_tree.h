@@ -93,8 +93,18 @@ class TriangleTree {
   };
   struct Item;
 
+  // Sets `best` to f if f is nearer.
+  void lower(NearestTriangle& best, FaceId f, const Vec3& p) const {
+    const double d = distance2(f, p);
+    if (d < best.distance2) best = {f, d};
+  }
   void split(const Subtree& part, std::span<Item> items);
   void build(const Subtree& part, std::span<Item> items);
+  // Lowers `found`, of each point, to the nearest triangles within `margin`. Returns false if there
+  // is too much to look at; then some are not the nearest.
+  bool search_near(std::span<const Vec3> points, double margin,
+                   std::span<NearestTriangle> found) const;
+  double mean_size() const;  // of the triangles' boxes, along their longest side
   // Lowers `best`. Each leaf visited subtracts one from `leaves_left`; at 0 the search ends.
   void search(const Vec3& p, NearestTriangle& best, std::size_t& leaves_left) const {
     if (!order_.empty()) search({0, 0, leaf_count()}, p, best, leaves_left);

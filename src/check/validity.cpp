@@ -9,7 +9,6 @@
 #include "base/text.h"
 #include "delaunay/predicates.h"
 #include "mesh/first_at_place.h"
-#include "mesh/incidence.h"
 #include "mesh/star.h"
 
 namespace deliso {
@@ -85,10 +84,10 @@ void keep_good_triangles(const TriMesh& mesh, const std::vector<VertexId>& first
   }
 }
 
-void check_edges(CleanMesh& mesh, std::span<const EdgeUse> uses, const Box3& box, double tolerance,
-                 MayEnd may_end, Faults& faults) {
+void check_edges(CleanMesh& mesh, const Box3& box, double tolerance, MayEnd may_end,
+                 Faults& faults) {
   constexpr std::size_t kNamed = 8;  // triangles of one edge
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+  for_each_edge(mesh.uses, [&](std::span<const EdgeUse> edge) {
     const VertexId lo = edge[0].lo, hi = edge[0].hi;
     const Vec3 &p = mesh.points[lo], &q = mesh.points[hi];
     const auto report = [&](FaultKind kind, const char* verb) {
@@ -163,11 +162,11 @@ CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance,
   keep_good_triangles(mesh, first, faults, out);
   out.as_given =
       out.triangles.size() == mesh.faces.size() && faults.count(FaultKind::duplicate_vertices) == 0;
-  const std::vector<EdgeUse> uses = edge_uses(out.points.size(), out.triangles);
+  out.uses = edge_uses(out.points.size(), out.triangles);
   out.component = vertex_components(out.points.size(), out.triangles);
-  out.topology = mesh_topology(out.points, out.triangles, uses, out.component);
+  out.topology = mesh_topology(out.points, out.triangles, out.uses, out.component);
   out.broken.assign(out.topology.components.size(), 0);
-  check_edges(out, uses, box, tolerance, may_end, faults);
+  check_edges(out, box, tolerance, may_end, faults);
   check_vertices(out, faults);
   return out;
 }

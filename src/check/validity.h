@@ -9,6 +9,7 @@
 #include "base/box3.h"
 #include "check/faults.h"
 #include "mesh/check_mesh.h"
+#include "mesh/incidence.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso {
@@ -19,6 +20,7 @@ struct CleanMesh {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   std::vector<FaceId> id;
+  std::vector<EdgeUse> uses;  // of the edges, by the triangles
 
   // Connected through shared vertices; numbered by their smallest vertex.
   std::vector<std::uint32_t> component;  // per vertex; kNoId if no triangle uses it

@@ -79,9 +79,10 @@ Pairs report_self_intersections(const TriMesh& mesh, const CleanMesh& clean,
   return std::move(found.pairs);
 }
 
-void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const TriangleTree& tree,
+void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const VertexGrids& grids,
                          const Volume& volume, int threads, Faults& faults) {
-  const ClosePlaces found = find_close_places(clean.points, clean.triangles, tree, volume, threads);
+  const ClosePlaces found =
+      find_close_places(clean.points, clean.triangles, clean.uses, grids, volume, threads);
   const auto named = [&](FaceId f) { return name_of_triangle(mesh, clean.id[f]); };
   const auto middle = [&](FaceId f) { return middle_of(mesh, clean.id[f]); };
   for (const FaceId f : found.needles) {
@@ -102,16 +103,19 @@ void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const Tria
     faults.add(
         FaultKind::near_vertices,
         [&] {
-          return text("vertex ", v, " is ", std::sqrt(tree.distance2(f, p)) / volume.voxel(),
-                      " voxels from ", named(f));
+          const auto& [a, b, c] = clean.triangles[f];
+          const double d2 =
+              distance2_to_triangle(p, clean.points[a], clean.points[b], clean.points[c]);
+          return text("vertex ", v, " is ", std::sqrt(d2) / volume.voxel(), " voxels from ",
+                      named(f));
         },
         p);
   }
   if (found.given_up > 0) {
-    faults.add(FaultKind::not_measured,
-               text("what is near to ", found.given_up,
-                    " vertices: too many triangles lie across each other"),
-               clean.points[clean.triangles[0][0]]);
+    faults.add(
+        FaultKind::not_measured,
+        text("what is near to ", found.given_up, " triangles: too many vertices lie around them"),
+        clean.points[clean.triangles[0][0]]);
   }
 }
 
@@ -236,10 +240,9 @@ void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<double>
     const auto is_on_surface = [&](VertexId v) { return on_surface[v] != 0; };
     if (off[n] <= voxel || !std::ranges::all_of(t, is_on_surface)) continue;
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-    SearchCounters counters;
     FacetShape shape = measure(a, b, c, a);
     shape.h = 0;
-    for (const Measure& m : measure_triangle(a, b, c, surface, limit, voxel, counters)) {
+    for (const Measure& m : measure_triangle(a, b, c, surface, limit, voxel)) {
       if (m.distance <= std::max(voxel, shape.h)) continue;
       shape.h = std::max(shape.h, sharper_distance(m, contour, voxels, surface));
     }
@@ -261,8 +264,8 @@ void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<double>
 
 // What is known of Sigma from T.
 struct OfContour {
-  std::vector<Vec3> samples;  // its vertices on the components that the mesh is to have
-  FreeSpace free;
+  std::vector<Vec3> samples;      // its vertices on the components that the mesh is to have
+  std::optional<FreeSpace> free;  // for the triangulation, if asked for
 };
 
 // `off`: a bound on the distance of each triangle from Sigma.
@@ -284,7 +287,9 @@ OfContour compare_topology(const CleanMesh& mesh, const TriangleTree& tree,
     check_triangles_on_surface(mesh, off, on_surface, contour, voxels, surface, result);
   }
   keep_components(contour, compared.kept);
-  return {std::move(contour.points), FreeSpace(voxels, volume)};
+  OfContour known{std::move(contour.points), {}};
+  if (options.triangulate) known.free.emplace(voxels, volume);
+  return known;
 }
 
 // If a least share is required, an unmeasured share is a fault. A lower share is a fault if there
@@ -294,7 +299,7 @@ void check_share(const TriMesh& mesh, const CleanMesh& clean, double least, Veri
   if (!(least > 0)) return;
   if (!share.measured) {
     result.faults.add(FaultKind::not_measured,
-                      "restricted share: the Delaunay triangulation takes too many cells",
+                      "restricted share: too many vertices lie near balls through triangles",
                       clean.points[clean.triangles[0][0]]);
   }
   if (result.faults.any() || share.share() >= least) return;
@@ -307,11 +312,11 @@ void check_share(const TriMesh& mesh, const CleanMesh& clean, double least, Veri
                             share.triangles - share.restricted - share.first_outside.size());
 }
 
-void hold_to_limits(const CleanMesh& mesh, const Isosurface& surface, const VerifyOptions& options,
-                    Verification& result) {
+// `heights`: h of each triangle.
+void hold_to_limits(const CleanMesh& mesh, const std::vector<double>& heights,
+                    const VerifyOptions& options, Verification& result) {
   const Criteria& limits = options.limits;
   Vec3 first_over{};
-  const std::vector<double> heights = surface_heights(mesh, surface, options.threads);
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
     const Triangle& t = mesh.triangles[n];
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
@@ -411,7 +416,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.triangles = mesh.faces.size();
   result.surface_tolerance = kSurfaceToleranceVoxels * voxel + 2 * options.position_error;
   const int threads = options.threads;
-  const Stopwatch of_validity;
+  Stopwatch watch;
 
   const CleanMesh whole = check_validity(mesh, volume.box(), options.position_error,
                                          options.solid ? MayEnd::nowhere : MayEnd::on_box, faults);
@@ -423,54 +428,50 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
     result.mesh = counts_of(mesh, whole);
   }
   const CleanMesh& clean = surface_part ? *surface_part : whole;
-  result.seconds_validity = of_validity.seconds();
+  result.seconds_validity = watch.restart();
   report_progress(0.1);
 
   const Isosurface surface(volume, kappa);
   const double bound = options.limits[Criterion::distance], r_min = options.limits.r_min;
-  std::optional<MeshTriangulation> triangulation;
-  std::optional<OfContour> contour;
-  // The triangulation runs in one thread, beside all that does not need it.
-  for_each_task(threads, 2, [&](std::size_t part) {
-    Stopwatch own;
-    if (part == 0) {
-      triangulation.emplace(clean, volume.box());
-      result.seconds_delaunay = own.seconds();
-      return;
+  const TriangleTree whole_tree(whole.points, whole.triangles, threads);
+  const Pairs intersections = report_self_intersections(mesh, whole, whole_tree, threads, faults);
+  std::optional<TriangleTree> surface_tree;
+  if (options.solid) {
+    surface_tree.emplace(clean.points, clean.triangles, threads);
+    for (const auto& [f, g] : intersections) {
+      result.solid->self_intersections += is_cap[f] || is_cap[g];
     }
-    const TriangleTree whole_tree(whole.points, whole.triangles, threads);
-    const Pairs intersections = report_self_intersections(mesh, whole, whole_tree, threads, faults);
-    std::optional<TriangleTree> surface_tree;
-    if (options.solid) {
-      surface_tree.emplace(clean.points, clean.triangles, threads);
-      for (const auto& [f, g] : intersections) {
-        result.solid->self_intersections += is_cap[f] || is_cap[g];
-      }
-    } else {
-      result.quality = measure_quality(mesh, options.limits[Criterion::r_over_l], r_min);
-    }
-    const TriangleTree& tree = surface_tree ? *surface_tree : whole_tree;
-    report_close_places(mesh, clean, tree, volume, threads, faults);
-    result.seconds_validity += own.seconds();
-    own = Stopwatch();
-    std::vector<double> off;
-    result.to_surface =
-        distances_to_surface(clean, surface, search_limit(volume), {bound, r_min}, threads, &off);
-    result.seconds_distances = own.seconds();
-    own = Stopwatch();
-    contour.emplace(compare_topology(clean, tree, off, surface, options, result));
-    result.seconds_topology = own.seconds();
-    own = Stopwatch();
-    result.from_surface = distances_from_surface(contour->samples, clean, tree,
-                                                 {kFromSurfaceFactor * bound, r_min}, threads);
-    result.seconds_distances += own.seconds();
-  });
+  } else {
+    result.quality = measure_quality(mesh, options.limits[Criterion::r_over_l], r_min);
+  }
+  const TriangleTree& tree = surface_tree ? *surface_tree : whole_tree;
+  std::vector<double> heights;
+  {
+    const VertexGrids grids(clean.points, clean.triangles);
+    report_close_places(mesh, clean, grids, volume, threads, faults);
+    result.seconds_validity += watch.restart();
+    report_progress(0.3);
+    result.delaunay = measure_delaunay_share(clean, grids, surface, heights, threads);
+    result.seconds_delaunay = watch.restart();
+  }
+  report_progress(0.4);
+  std::vector<double> off;
+  result.to_surface =
+      distances_to_surface(clean, surface, search_limit(volume), {bound, r_min}, threads, &off);
+  result.seconds_distances = watch.restart();
+  report_progress(0.6);
+  const OfContour contour = compare_topology(clean, tree, off, surface, options, result);
+  result.seconds_topology = watch.restart();
   report_progress(0.8);
-  const Stopwatch of_share;
-  result.delaunay = measure_delaunay_share(clean, *triangulation, surface, contour->free, threads);
+  result.from_surface = distances_from_surface(contour.samples, clean, tree,
+                                               {kFromSurfaceFactor * bound, r_min}, threads);
+  result.seconds_distances += watch.restart();
   check_share(mesh, clean, options.restricted_share, result);
-  result.seconds_delaunay += of_share.seconds();
-  const Stopwatch of_limits;
+  if (options.triangulate) {
+    result.voronoi = count_voronoi_edges(clean, MeshTriangulation(clean, volume.box()), surface,
+                                         *contour.free, threads);
+  }
+  result.seconds_delaunay += watch.restart();
   if (result.from_surface.given_up > 0) {
     faults.add(FaultKind::not_measured,
                text("distances of ", result.from_surface.given_up,
@@ -481,9 +482,9 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
     require_distance(result.to_surface, voxel, "a point of the mesh", faults);
     require_distance(result.from_surface, voxel, "a point of the surface", faults);
   }
-  hold_to_limits(clean, surface, options, result);
+  hold_to_limits(clean, heights, options, result);
   result.boundary = boundary_distances(clean, surface, options.limits);
-  result.seconds_distances += of_limits.seconds();
+  result.seconds_distances += watch.restart();
   return result;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Verifies a mesh of an isosurface from the mesh and the volume alone, and reports its faults. It
-// shares no path with the stages, except the exact predicates, the oracle, the exact contour and
-// the Delaunay triangulation.
+// shares no path with the stages, except the exact predicates, the oracle and the exact contour; on
+// request the Delaunay triangulation.
 //
 // One mistake is reported as one fault. So each step tests only what the steps before leave open:
 //   V1  Vertices at one position are reported, then count as one from the smallest id on.
@@ -28,6 +28,7 @@
 #include "check/delaunay_share.h"
 #include "check/distances.h"
 #include "check/faults.h"
+#include "check/mesh_triangulation.h"
 #include "contour/contour.h"
 #include "mesh/quality.h"
 #include "mesh/tri_mesh.h"
@@ -49,7 +50,8 @@ struct VerifyOptions {
   bool require_distance = false;  // these points are faults, unless r_min allows them
   int threads = 1;
   std::function<void(double)> progress;  // called with the share done; may be empty
-  bool solid = false;  // the mesh must be closed on the box; its figures exclude caps
+  bool triangulate = false;  // also count Voronoi edges, which takes as long as all else
+  bool solid = false;        // the mesh must be closed on the box; its figures exclude caps
 };
 
 // The caps of a solid. The surface is verified without them.
@@ -72,7 +74,8 @@ struct Verification {
   double surface_tolerance = 0;        // scaled frame
   double max_off_surface = 0;          // of the vertices beyond it
   DelaunayShare delaunay;
-  Distances to_surface;    // from points of the triangles
+  std::optional<VoronoiEdges> voronoi;  // as asked for
+  Distances to_surface;                 // from points of the triangles
   Distances from_surface;  // from vertices of the exact contour, without components left out
   MeshQuality quality;
   Criteria limits;  // as given

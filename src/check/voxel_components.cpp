@@ -24,7 +24,9 @@ VoxelComponents::VoxelComponents(const ContourMesh& contour, const Volume& volum
       entries_.push_back({voxel, component, n, n + 1});
     }
   }
-  std::ranges::sort(entries_, {}, [](const Entry& e) { return std::pair(e.voxel, e.first); });
+  // T is made voxel by voxel, so nearly always they are in order.
+  const auto place = [](const Entry& e) { return std::pair(e.voxel, e.first); };
+  if (!std::ranges::is_sorted(entries_, {}, place)) std::ranges::sort(entries_, {}, place);
 }
 
 std::vector<std::uint32_t> VoxelComponents::near(const Vec3& p, double reach) const {

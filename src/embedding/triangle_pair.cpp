@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/box3.h"
 #include "delaunay/predicates.h"
 
 namespace deliso {
@@ -93,7 +94,8 @@ bool triangles_intersect(const std::vector<Vec3>& points, const Triangle& s, con
     }
     case 1:  // Two convex sets that meet in a and elsewhere meet along a segment from a. It ends on
              // the far side of one of them. A set on one side of the other's plane meets it in a.
-      return orient3d(d, e, f, b) * orient3d(d, e, f, c) <= 0 &&
+      return (meet(box_of(b, c, c), box_of(d, e, f)) || meet(box_of(e, f, f), box_of(a, b, c))) &&
+             orient3d(d, e, f, b) * orient3d(d, e, f, c) <= 0 &&
              orient3d(a, b, c, e) * orient3d(a, b, c, f) <= 0 &&
              (segment_meets_triangle(b, c, d, e, f) || segment_meets_triangle(e, f, a, b, c));
     default:

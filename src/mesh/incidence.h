@@ -26,11 +26,27 @@ struct EdgeUse {
 // adjacent, in the order of the triangles. pre: corners are below `vertices`.
 std::vector<EdgeUse> edge_uses(std::size_t vertices, std::span<const Triangle> triangles);
 
+inline bool is_same_edge(const EdgeUse& a, const EdgeUse& b) {
+  return a.lo == b.lo && a.hi == b.hi;
+}
+
+// Returns the uses of the edges whose first use is at begin to end - 1: so runs of all uses become
+// runs of whole edges.
+inline std::span<const EdgeUse> edges_within(std::span<const EdgeUse> uses, std::size_t begin,
+                                             std::size_t end) {
+  const auto first_of_edge = [&](std::size_t n) {
+    while (n > 0 && n < uses.size() && is_same_edge(uses[n - 1], uses[n])) ++n;
+    return n;
+  };
+  begin = first_of_edge(begin);
+  return uses.subspan(begin, first_of_edge(end) - begin);
+}
+
 // Calls visit(span of uses) once per edge until it returns false.
 template <class Visit>
 void for_each_edge(std::span<const EdgeUse> uses, Visit visit) {
   for (std::size_t i = 0, j; i < uses.size(); i = j) {
-    for (j = i + 1; j < uses.size() && uses[j].lo == uses[i].lo && uses[j].hi == uses[i].hi;) ++j;
+    for (j = i + 1; j < uses.size() && is_same_edge(uses[i], uses[j]);) ++j;
     if (!visit(uses.subspan(i, j - i))) return;
   }
 }

@@ -13,8 +13,8 @@ struct Report {
   // Seconds of the wall clock.
   double seconds_tree = 0, seconds_init = 0, seconds_recover = 0;
   double seconds_contour = 0;  // of the certified Stage 1
-  double seconds_poles = 0;                        // ComputePoles
-  double seconds_refine = 0;  // BuildTriMesh and RefineGeom; single stage: on Del S
+  double seconds_poles = 0;    // ComputePoles
+  double seconds_refine = 0;   // BuildTriMesh and RefineGeom; single stage: on Del S
   double seconds_total = 0;
   std::size_t points_on_lines = 0, points_on_curves = 0;      // S_0
   std::size_t insertions_recover = 0, insertions_refine = 0;  // n_RC and n_RF

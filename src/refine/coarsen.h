@@ -27,15 +27,6 @@ namespace deliso {
 std::size_t coarsen(Refinement& r, std::size_t vertices,
                     std::size_t triangles = std::numeric_limits<std::size_t>::max());
 
-// A mesh of a desired size is coarsened from one of about this many times as many vertices or
-// triangles.
-inline constexpr double kFinerRatio = 1.3;
-
-// The first and the last bound on the distance for such a mesh, in voxels, and the ratio of each to
-// the one before.
-inline constexpr double kFirstDistanceVoxels = 0.4, kLastDistanceVoxels = 2e-3,
-                        kLeastDistanceRatio = 0.25, kMostDistanceRatio = 0.7;
-
 // Coarsens the mesh to the numbers that the parameters have as targets. Sets report.max_distance to
 // the distance of the sample that is furthest from the mesh then.
 void coarsen_to_target(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,

@@ -194,6 +194,22 @@ TEST_CASE("--paper runs the published program, with the published values but for
   CHECK(options.max_vertices == 1000);
 }
 
+TEST_CASE(
+    "--certified has no limit of h/r in Recover unless --eps gives one, and no Voronoi edges") {
+  const Volume volume = Volume::from_samples({9, 9, 9}, {1, 1, 1}, std::vector<float>(729));
+  const CommandLine line = parsed("a --iso 1 --paper --certified");
+  CHECK(line.certified);
+  CHECK(published_options(line, volume).epsilon == Options::kNone);
+  CHECK(published_options(parsed("a --iso 1 --paper --certified --eps 0.2"), volume).epsilon ==
+        0.2);
+  CHECK_FALSE(parsed("a --iso 1 --paper").certified);
+  for (const std::string option : {"--keep-hits", "--single-stage"}) {
+    CHECK(refusal("a --iso 1 --paper --certified " + option) ==
+          "--certified and " + option +
+              " exclude each other: its sites are no points of Voronoi edges");
+  }
+}
+
 TEST_CASE("check --paper holds a mesh against the published criteria") {
   const Options options = parsed("check m.ply a --iso 1 --paper").options;
   CHECK(options.limits[Criterion::h_over_r].value == 0.1);
@@ -446,6 +462,8 @@ TEST_CASE("check takes a mesh and a volume, info and built-in fields need no iso
   CHECK(line.meshes == std::vector<std::string>{"a.ply"});
   CHECK(line.input == "b.nrrd");
   CHECK(line.restricted_share == 0.5);
+  CHECK_FALSE(line.triangulate);
+  CHECK(parsed("check a.ply b.nrrd --iso 3 --triangulate").triangulate);
   CHECK(parsed("check a.ply b.nrrd --iso 3").restricted_share == 0);
   CHECK(parsed("info a.nrrd").command == Command::info);
   CHECK_FALSE(parsed("info a.nrrd").isovalue.has_value());

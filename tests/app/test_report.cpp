@@ -68,7 +68,8 @@ std::vector<JsonValue> all_reports() {
   for (const std::string& line :
        {field + " --check -o " + mesh, field + " --cap --check", field + " --vertices 300",
         field + " --paper", field + " --max-radius 3 --eps1 0.2", field + " --stop-after recover",
-        field + " --iso 1e9 --allow-empty --check", "check " + mesh + " " + field,
+        field + " --iso 1e9 --allow-empty --check",
+        "check " + mesh + " " + field + " --triangulate",
         "check " + mesh + " " + field + " --cap",  // it has holes
         "check " + bad + " " + field, "info " + field, "info " + field + " --iso 0.3",
         "info " + mask, mask + " --label 120,121,200 --smooth 2",
@@ -208,8 +209,9 @@ TEST_CASE("the schema refuses an added key, a missing key and another type anywh
 }
 
 TEST_CASE("--verbose adds lines to the report, and leaves none out") {
-  for (const std::string arguments : {"builtin:noise:16", "builtin:torus --cap --check",
-                                      "builtin:fuel:24 --vertices 300", "builtin:torus --paper"}) {
+  for (const std::string arguments :
+       {"builtin:noise:16", "builtin:torus --cap --check", "builtin:fuel:24 --vertices 300",
+        "builtin:torus --paper", "builtin:torus --paper --certified"}) {
     const std::vector<std::string> lines = lines_of_run(arguments),
                                    all = lines_of_run(arguments + " --verbose");
     CHECK(all.size() > lines.size());
@@ -285,7 +287,8 @@ TEST_CASE("every word of the reports is explained in the guide, once") {
         "refused",  "kd-tree",    "exact contour", "initial",  "recover",  "poles",   "refine",
         "cap",      "check",      "exact",         "solid",    "distance", "quality", "delaunay",
         "mesh->",   "->mesh",     "criteria",      "boundary", "padding",  "try",     "filter",
-        "label",    "volume",     "largest",       "sizes",    "count",    "off",     "found"}) {
+        "label",    "volume",     "largest",       "sizes",    "count",    "off",     "found",
+        "certified"}) {
     check_row(word);
   }
 }

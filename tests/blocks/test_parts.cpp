@@ -80,7 +80,7 @@ TEST_CASE("both sides of a seam have the same vertices in the same places") {
     const int axis = static_cast<int>(seed % 3);
     Options options;
     options.block_side = 4;
-    const BlockGrid grid = block_grid(tiny.volume, options);
+    const BlockGrid grid = block_grid(source_of(tiny.volume), tiny.isovalue, options);
     const std::vector<SampleBox> boxes = grid.boxes();
     const int of = static_cast<int>(boxes.size());
     std::vector<Block> parts;
@@ -120,7 +120,7 @@ TEST_CASE(
     Options options;
     options.block_side = 4 + static_cast<int>(seed);
     const VolumeSource all = source_of(tiny.volume);
-    const BlockGrid grid = block_grid(all.shape, options);
+    const BlockGrid grid = block_grid(all, tiny.isovalue, options);
     const PartChoice part{2, 3};
     const SampleBox own = box_of_part(all.shape, options, part);
     const std::vector<SampleBox> cells = grid.boxes();

@@ -61,3 +61,26 @@ TEST_CASE("the nearest triangle is as near as any") {
     CHECK(tree.distance2(nearest.triangle, p) == least);
   }
 }
+
+// Points near the mesh are found by the triangles around which they are, the others by the tree.
+TEST_CASE("nearest triangles of points near and far are those of brute force") {
+  const Grid grid(8);
+  const TriangleTree tree(grid.points, grid.triangles);
+  Random random(3);
+  std::vector<Vec3> points;
+  for (int n = 0; n < 1000; ++n) {
+    const double height = n % 10 == 0 ? 5 : 0.3;
+    points.push_back({random.uniform(-1, 10), random.uniform(-1, 10), random.uniform(0, height)});
+  }
+  for (const int threads : {1, 2}) {
+    const std::vector<NearestTriangle> found = tree.nearest(points, threads);
+    for (std::size_t n = 0; n < points.size(); ++n) {
+      double least = tree.distance2(0, points[n]);
+      for (FaceId f = 1; f < grid.triangles.size(); ++f) {
+        least = std::min(least, tree.distance2(f, points[n]));
+      }
+      CHECK(found[n].distance2 == least);
+      CHECK(tree.distance2(found[n].triangle, points[n]) == least);
+    }
+  }
+}

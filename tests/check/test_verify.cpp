@@ -154,7 +154,10 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
     std::swap(p.points[p.triangles[middle][0]], p.points[p.triangles[middle][1]]);
     const Verification v = good.verify_parts(p);
     CHECK(v.faults.count(FaultKind::self_intersections) >= 2);
-    check_only(v, FaultKind::self_intersections, v.faults.count(FaultKind::self_intersections));
+    for (const FaultKind found : kinds_of(v.faults)) {
+      // Triangles that turn over may also lie folded on each other.
+      CHECK((found == FaultKind::self_intersections || found == FaultKind::folds));
+    }
   }
   SUBCASE("coordinate that is no number") {
     Parts p = sphere;
@@ -365,10 +368,8 @@ TEST_CASE("r_min allows points within r_min of a triangle no larger than r_min")
         if (d > most) ++(d <= r_min && r <= r_min ? below : above);
       };
       for (const Face& face : good.mesh.faces) {
-        SearchCounters counters;
-        for (const Measure& m :
-             measure_triangle(points[face.v[0]], points[face.v[1]], points[face.v[2]], surface,
-                              limit, bound, counters)) {
+        for (const Measure& m : measure_triangle(points[face.v[0]], points[face.v[1]],
+                                                 points[face.v[2]], surface, limit, bound)) {
           count(m.distance, radius(face.v), bound);
         }
       }

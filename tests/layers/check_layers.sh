@@ -7,8 +7,8 @@ set -eu
 cd "$1"
 
 surface="base mesh embedding volume isosurface surface"
-stages="$surface roots delaunay planar kdtree contour stage1 recover refine"
-all="$stages deliso blocks cap interfaces"
+stages="$surface roots delaunay planar kdtree contour coarsen refine"
+all="$stages deliso blocks cap interfaces recover"
 io="io/files io/volume io/filter io/mesh io/parts"
 view="view/gray view/page view/render view/trace"
 
@@ -22,13 +22,13 @@ allowed() {
     contour) echo "base volume delaunay mesh embedding contour" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
     surface) echo "base mesh embedding volume isosurface surface" ;;
-    stage1) echo "$surface delaunay contour stage1" ;;
-    recover) echo "$surface roots kdtree delaunay contour stage1 paper recover" ;;
+    coarsen) echo "$surface delaunay contour coarsen" ;;
+    recover) echo "base roots volume kdtree isosurface delaunay mesh embedding contour paper recover" ;;
     refine) echo "$surface refine" ;;
     deliso) echo "$stages deliso" ;;
     # As published: the primitives alone. Of src/ only recover includes it.
     paper) echo "base roots volume kdtree isosurface delaunay mesh paper" ;;
-    blocks) echo "$surface kdtree contour stage1 recover/recover.h refine deliso blocks" ;;
+    blocks) echo "$surface contour coarsen refine deliso blocks" ;;
     cap) echo "$surface delaunay planar contour refine/refinement.h refine/lift_off.h cap" ;;
     interfaces) echo "base delaunay mesh embedding volume interfaces" ;;
     .) echo "mesh_parts.h $all" ;;
@@ -42,7 +42,7 @@ allowed() {
     view/page) echo "base io/files view/page" ;;
     view/render) echo "base mesh io/files view/render" ;;
     view/gray) echo "base volume io/files mesh view/render view/gray" ;;
-    view/trace) echo "$surface delaunay contour stage1 paper recover refine view/trace" ;;
+    view/trace) echo "$surface delaunay contour paper recover refine view/trace" ;;
     app) echo "mesh_parts.h $all paper check $io $view app" ;;
     c) echo "mesh_parts.h $all paper check $io $view app c" ;;
     *) return 1 ;;

@@ -5,11 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <limits>
-#include <vector>
 
-#include "base/random.h"
-#include "delaunay/triangulation.h"
 #include "deliso/fields.h"
 #include "mesh/tri_mesh.h"
 #include "recover/certificate.h"
@@ -57,19 +53,22 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14);
     Random random(seed);
-    const auto count = static_cast<std::uint32_t>(scene.contour.points.size());
-    std::vector<Vec3> sites;
-    for (int n = 0; n < 60; ++n) sites.push_back(scene.contour.points[random.below(count)]);
-    append_auxiliary(scene.volume.box(), sites);
+    const auto anywhere = [&] {
+      return scene.contour
+          .points[random.below(static_cast<std::uint32_t>(scene.contour.points.size()))];
+    };
+    std::vector<Vec3> sample;
+    for (int n = 0; n < 80; ++n) sample.push_back(anywhere());
+    append_auxiliary(scene.volume.box(), sample);
     Triangulation t;
     std::vector<SiteId> ids;
-    REQUIRE(t.build(sites, ids));
+    REQUIRE(t.build(sample, ids));
     Labels labels(scene.contour, t);
     check_nearest(scene.contour, labels, t);
     ConflictZone zone;
     std::vector<CellId> created;
     for (int n = 0; n < 30; ++n) {
-      const Vec3 p = scene.contour.points[random.below(count)];
+      const Vec3 p = anywhere();
       t.find_conflicts(p, kNoId, zone);
       if (zone.duplicate != kNoId) continue;
       const SiteId s = t.insert_in_zone(p, zone, created);

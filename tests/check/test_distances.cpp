@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Distances of a whole mesh are those of its triangles, one by one.
+#include "check/distances.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "deliso/fields.h"
+#include "mesh/meshes.h"
+
+using namespace deliso;
+
+// The middle of an edge is searched once for its two triangles, each with a normal of its own.
+TEST_CASE("the distances of a mesh are those of each triangle by itself") {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    CAPTURE(seed);
+    const Scene scene = wave_scene(seed, 9);
+    TriMesh mesh = make_tri_mesh(scene.contour.points, scene.contour.triangles);
+    Random random(seed);
+    for (Vec3& p : mesh.points) {
+      for (int axis = 0; axis < 3; ++axis) p[axis] += random.uniform(-0.2, 0.2);
+    }
+    Faults faults;
+    const CleanMesh clean = check_validity(mesh, scene.volume.box(), 0.5, MayEnd::on_box, faults);
+    for (const double bound : {0.02, 1.0}) {
+      constexpr double kLimit = 4;
+      std::vector<double> of_triangles;
+      const Distances all =
+          distances_to_surface(clean, scene.surface, kLimit, {bound, 0}, 2, &of_triangles);
+      REQUIRE(of_triangles.size() == clean.triangles.size());
+      std::size_t beyond = 0, points = 0;
+      double sum = 0;
+      for (std::size_t n = 0; n < clean.triangles.size(); ++n) {
+        const auto& [a, b, c] = clean.triangles[n];
+        double largest = 0;
+        for (const Measure& m : measure_triangle(clean.points[a], clean.points[b], clean.points[c],
+                                                 scene.surface, kLimit, bound)) {
+          largest = std::max(largest, m.distance);
+          if (m.distance == std::numeric_limits<double>::infinity()) continue;
+          beyond += m.distance > bound;
+          sum += m.distance;
+          ++points;
+        }
+        if (largest < kLimit) CHECK(std::fabs(of_triangles[n] - largest) < 1e-9);
+      }
+      CHECK(points > 1000);
+      CHECK(all.points == points);
+      CHECK(all.beyond == beyond);
+      CHECK(all.mean == doctest::Approx(sum / static_cast<double>(points)));
+    }
+  }
+}

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// The coarsened contour, on random volumes: a manifold of T's topology, component by component,
+// embedded by all pairs, with its vertices on Sigma and Sigma near; and far fewer vertices.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "cases.h"
+#include "check/self_intersections.h"
+#include "coarsen/coarsen.h"
+#include "coarsen/contour_as_mesh.h"
+#include "deliso/fields.h"
+#include "mesh/check_mesh.h"
+#include "mesh/component_kinds.h"
+#include "stress/tiny_volume.h"
+
+using namespace deliso;
+using stress::make_tiny_volume;
+
+namespace {
+
+struct Coarse {
+  explicit Coarse(Scene& scene, const Options& options = {})
+      : parameters(resolve(options, scene.volume)),
+        loops(std::make_shared<BoundaryLoops>()),
+        curves((make_fine(scene.contour, scene.surface, parameters, report),
+                *loops = boundary_loops(scene.contour), BoundaryCurves(scene.surface, loops))),
+        mesh(contour_as_mesh(scene.contour)) {
+    coarsen(mesh, scene.surface, curves, parameters, report);
+  }
+
+  Parameters parameters;
+  Report report;
+  std::shared_ptr<BoundaryLoops> loops;
+  BoundaryCurves curves;
+  SurfaceMesh mesh;
+};
+
+std::size_t crossings(const TriMesh& mesh) {
+  const std::vector<Triangle> triangles = mesh.triangles();
+  const TriangleTree tree(mesh.points, triangles);
+  return find_crossings(mesh.points, triangles, tree).pairs.size();
+}
+
+}  // namespace
+
+TEST_CASE("the coarsened contour is embedded, of T's topology, and its vertices lie on Sigma") {
+  std::size_t before = 0, after = 0, again = 0;
+  for (std::uint64_t seed = 1; seed <= test::cases(2100u); ++seed) {
+    CAPTURE(seed);
+    const auto tiny = make_tiny_volume(seed, 3, 11);
+    Scene scene(tiny.volume, tiny.isovalue);
+    if (scene.contour.points.empty()) continue;
+    const Coarse coarse(scene);
+    const TriMesh& mesh = coarse.mesh.mesh;
+    REQUIRE(check_mesh(mesh) == "");
+    CHECK(kinds_of(mesh) == kinds_of(scene.contour.summary));
+    CHECK(crossings(mesh) == 0);
+    CHECK(ends_on_chain(coarse.mesh));
+    CHECK(coarse.mesh.duals.size() == mesh.faces.size());
+    before += scene.contour.points.size();
+    after += mesh.points.size();
+    again += coarse.report[Counter::coarsened_again];
+  }
+  CHECK(after < before);
+  CHECK(again > 0);  // some are in the draw
+}
+
+TEST_CASE("facets of the coarsened contour meet the bound and are well shaped, on smooth surfaces") {
+  for (const char* name : {"sphere", "linked_tori", "gyroid", "fuel"}) {
+    CAPTURE(name);
+    Scene scene = builtin_scene(name, 32);
+    const Coarse coarse(scene);
+    const SurfaceMesh& s = coarse.mesh;
+    std::size_t over = 0, needles = 0;
+    for (FaceId f = 0; f < s.mesh.faces.size(); ++f) {
+      const FacetShape shape = s.shape(s.mesh.faces[f].v, s.duals[f]);
+      const Criteria& limits = coarse.parameters.refinement;
+      over += shape.r > coarse.parameters.r_min && shape.h > limits[Criterion::distance];
+      needles += shape.r > 2.0001 * shape.l;
+    }
+    CHECK(over <= s.mesh.faces.size() / 100);
+    CHECK(needles <= s.mesh.faces.size() / 50);
+    CHECK(3 * s.mesh.points.size() < scene.contour.points.size());
+    for (const Vec3& p : s.mesh.points) {
+      CHECK(std::abs(scene.volume.value(p) - scene.surface.kappa()) <= 1e-6);
+    }
+  }
+}
+
+TEST_CASE("what is not in the scope stays, and a change is told") {
+  Scene scene = builtin_scene("sphere", 24);
+  Coarse all(scene);
+  Report report;
+  SurfaceMesh some = contour_as_mesh(scene.contour);
+  CoarsenScope scope;
+  // Half of the space is free.
+  const double middle = 0.5 * scene.volume.box().hi.x;
+  std::stable_partition(some.mesh.faces.begin(), some.mesh.faces.end(), [&](const Face& face) {
+    return std::ranges::any_of(face.v,
+                               [&](VertexId v) { return some.mesh.points[v].x < middle; });
+  });
+  link_faces(some.mesh);
+  while (std::ranges::any_of(some.mesh.faces[scope.free_box.first_free].v, [&](VertexId v) {
+    return some.mesh.points[v].x < middle;
+  })) {
+    ++scope.free_box.first_free;
+  }
+  scope.free_box.lo.x = middle;
+  for (VertexId v = 0; v < some.mesh.points.size(); ++v) scope.first.push_back(v);
+  const SurfaceMesh before = some;
+  const auto changed = coarsen(some, scene.surface, all.curves, all.parameters,
+                               coarsening_bound(all.parameters), scope, report);
+  std::size_t live = 0;
+  for (FaceId f = 0; f < some.mesh.faces.size(); ++f) {
+    const Face &now = some.mesh.faces[f], &was = before.mesh.faces[f];
+    live += !is_dead(now);
+    if (f < scope.free_box.first_free) CHECK(now.v == was.v);
+    if (changed[f.number()] != 0 || is_dead(now)) continue;
+    CHECK(now.v == was.v);
+    for (const VertexId v : now.v) CHECK(some.mesh.points[v] == before.mesh.points[v]);
+  }
+  CHECK(live < before.mesh.faces.size() * 3 / 4);
+  CHECK(live > scope.free_box.first_free);
+  some.duals.resize(some.mesh.faces.size());
+  remove_dead(some);
+  CHECK(check_mesh(some.mesh) == "");
+}
