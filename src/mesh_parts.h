@@ -20,8 +20,7 @@ SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice pa
 // Returns the mesh of one part, with what its seams to others still need, and its report. It is
 // empty where there is no surface. Caps are left to mesh_of_parts(). pre: the source can be read in
 // box_of_part(); everywhere if components are chosen. Throws InputError as mesh_isosurface() does,
-// for options that need all of the mesh at once (the paper's Recover, pole heights, a desired
-// count), and where a seam to another part is refused.
+// and for options that need all of the mesh at once (a desired count).
 Block mesh_part(const VolumeSource& source, double isovalue, const Options& options,
                 PartChoice part);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One block: its samples, Figure 4 on them, and the seam. It runs in one thread, and knows nothing
-// of other blocks but the planes of the grid. Blocks that are welded (blocks/weld.h) are a block
-// again.
+// One block: its samples, and both stages on them. It runs in one thread, and knows nothing of
+// other blocks but the planes of the grid. On its inner faces the mesh keeps all vertices of T.
+// Blocks that are welded (blocks/weld.h) are a block again.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +37,8 @@ struct Block {
   std::shared_ptr<const BoundaryLoops> loops;  // of its chain
   // Reference samples, vertices of T: those near inner faces; and with a desired count the others.
   std::vector<Vec3> samples_near_seams, samples;
-  // What is left to do at seams: nonzero for facets to refine, and vertices to thin. Both are empty
-  // until mark_seam_work().
+  // What is left to do at seams: nonzero for facets to refine, and vertices to remove. Both are
+  // empty until mark_seam_work().
   IdArray<FaceId, std::uint8_t> is_open;
   IdArray<VertexId, std::uint8_t> may_thin;
   Report report;
@@ -77,8 +77,8 @@ void refine_block(const BlockRun& run, Block& block);
 // True if the vertex lies on a seam.
 bool is_on_seam(const Block& block, VertexId v);
 
-// Marks the facets with a vertex on a seam as open, and vertices up to two edges from one as to be
-// thinned. pre: the block is not welded.
+// Marks the facets with a vertex on a seam as open, and the vertices up to two edges from one as
+// those with which coarsening begins. pre: the block is not welded.
 void mark_seam_work(Block& block);
 
 }  // namespace deliso

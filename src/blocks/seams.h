@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Stage 2 at the seams of a welded mesh: what was fixed there is refined like any other. Facets
-// with a vertex on a seam are refined, and whatever changes by that. Then vertices on a seam, those
-// beside one and new ones are removed where no criterion needs them (refine/thin.h).
+// Both stages at the seams of a welded mesh, which has all vertices of T there. It is coarsened
+// (coarsen/coarsen.h), beginning with vertices up to two edges from a seam. Then facets with a
+// vertex on a seam are refined, and those that changed.
 //
 // It is divided as blocks are. Around the faces between blocks lie boxes that share no point; in a
 // second round boxes around the edges of the grid, in a third around its corners. Each round's
 // boxes hold what the cuts of the round before left. A box is refined by itself, on its own
 // samples. Its facets are those that lie in it. Other facets that reach into it are visible to the
-// gates, and frozen. So facets of two boxes never meet, and the gates of refine/refinement.h hold.
+// tests, and frozen. So facets of two boxes never meet, and what the stages promise holds.
 // Boxes follow from the grid alone, so the result is the same with any number of threads.
 //
 // Nothing in a box depends on ids: its facets and vertices are in the order of their places. Boxes
@@ -28,9 +28,9 @@ using IsDue = std::function<bool(std::span<const std::size_t> cells)>;
 // Samples beyond a box that are read too, for searches from facets in it.
 inline constexpr int kSeamMarginSamples = 4;
 
-// Refines at the seams of welded blocks, in the boxes that are due. Dead facets and unused vertices
-// stay. Adds what was done to whole.report. Tells the observer, which may be null, of each box;
-// stage "seams" begins whenever boxes are refined side by side.
+// Coarsens and refines at the seams of welded blocks, in the boxes that are due. Dead facets and
+// unused vertices stay. Adds what was done to whole.report. Tells the observer, which may be null,
+// of each box; stage "seams" begins whenever boxes are refined side by side.
 void refine_seams(const BlockRun& run, Block& whole, const IsDue& is_due, Observer* observer);
 
 }  // namespace deliso

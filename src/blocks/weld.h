@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Welds the meshes of blocks into one. Blocks that meet have the same vertices on their seam, to
 // the last bit, and nothing else of either lies in the face between them (J1 and J2 of
-// blocks/seam.h). So vertices at one place are one vertex, and every edge of a seam has one facet
-// on either side. The boundary curves of blocks continue each other, and are joined into loops of
-// the whole: on the box, and along seams to blocks that are not there.
+// docs/proof.md, Theorem 7). So vertices at one place are one vertex, and every edge of a seam has
+// one facet on either side. The boundary curves of blocks continue each other, and are joined into
+// loops of the whole: on the box, and along seams to blocks that are not there.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@ namespace deliso {
 using IsElsewhere = std::function<bool(Index3 voxel)>;
 
 // Returns the blocks as one. Empties them. Their order is that of the result's vertices and facets.
-// pre: there is a block; none is refused; the work at seams is marked.
+// pre: there is a block; the work at seams is marked.
 Block weld(std::vector<Block>& blocks, const Vec3& spacing, const IsElsewhere& is_elsewhere);
 
 }  // namespace deliso

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Stage 1 of the exact program: coarsens the exact contour T, and T where blocks are joined, as far
 // as the criteria allow (coarsen/coarsener.h). T is homeomorphic to Sigma, embedded, and its
-// vertices lie on Sigma. So is and do the mesh: what no change of the coarsener asks is asked once,
-// in the end (coarsen/embedding.h). Where it fails the mesh is coarsened again, and keeps its
-// vertices near the faults.
+// vertices lie on Sigma. The coarsened mesh is so, too (docs/proof.md, Theorem 3). No change of the
+// coarsener asks whether facets cross: that is asked once, in the end (coarsen/embedding.h). Where
+// it fails the mesh is coarsened again, and keeps its vertices near the faults.
 #pragma once
 
 #include <cstdint>
@@ -26,9 +26,9 @@ struct CoarsenScope {
 // Returns the bound on the distance: that of the criteria, if they have one.
 double coarsening_bound(const Parameters& parameters);
 
-// Coarsens the mesh in place. `distance`: the bound. Facets that change get their duals; if the mesh
-// has no duals, all get theirs. Dead facets and vertices without facets stay. Returns per facet
-// whether it changed.
+// Coarsens the mesh in place. `distance`: the bound. Facets that change get their duals; if the
+// mesh has no duals, all get theirs. Dead facets and vertices without facets stay. Returns per
+// facet whether it changed.
 std::vector<std::uint8_t> coarsen(SurfaceMesh& s, const Isosurface& surface,
                                   const BoundaryCurves& curves, const Parameters& parameters,
                                   double distance, const CoarsenScope& scope, Report& report);

@@ -4,7 +4,7 @@
 // give vertices. Voxel faces give the segments between them (asymptotic decider, Nielson and Hamann
 // 1991), and the segments close into loops. Each loop bounds a disk, unless two loops bound one
 // tube; a plane swept through the voxel decides (contour/voxel_topology.h). T is the ground truth
-// of components, Euler number and boundary loops; it seeds and certifies the mesh.
+// of components, Euler number and boundary loops. The mesh begins with it and is compared with it.
 //
 // Invariants of a ContourMesh:
 //   I1  Every vertex lies on Sigma: a crossing of a grid edge, or one more point inside a voxel. In
@@ -122,7 +122,7 @@ struct ContourMesh {
 ContourMesh build_contour(const Volume& volume, double kappa);
 
 // Removes the components with kept[c] == 0 from T (--largest, --min-component), and numbers the
-// others anew. All later steps take T for the whole surface: sites, labels, boundary curves, and
+// others anew. All later steps take T for the whole surface: the mesh, its boundary curves, and
 // the samples of Stage 2. Vertices, triangles and chains stay in order. I1 to I6 hold;
 // `summary.active_voxels` and the like still count voxels of the whole surface.
 void keep_components(ContourMesh& contour, std::span<const std::uint8_t> kept);

@@ -103,7 +103,7 @@ std::vector<std::uint64_t> with_neighbors(const std::vector<std::uint64_t>& voxe
 
 // Moves each vertex at the place of an earlier one along T, towards the mean of its neighbors, by
 // `perturbation`. Where samples of a voxel differ by many orders of magnitude, points of several
-// cells round to one place. No site could distinguish them. None was found on the box in tests.
+// cells round to one place. Facets there would have no area. None was found on the box in tests.
 void perturb_coincident(ContourMesh& contour, double perturbation) {
   const std::vector<VertexId> first = first_at_place(contour.points);
   for (VertexId v = 0; v < first.size(); ++v) {

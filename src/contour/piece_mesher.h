@@ -24,7 +24,7 @@ struct CellFrame {
 constexpr double kCrossingMargin = 1e-11;
 
 // A share of the cell's sides. Where Sigma is thin, neighbors on a loop with a fan are at least
-// this far apart: of closer crossings, sites make needles that Stage 2 cannot mend.
+// this far apart: closer crossings make needles that Stage 2 cannot mend.
 constexpr double kMinFanEdge = 0.45;
 // Samples. Sigma is thin in a voxel if a grid line crosses it again within this distance. With 2
 // there are as many needles as with stars at all short edges; with 1, a few more on ENGINE, TOOTH

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Clears a mesh off the box except along its boundary. Caps need it of a mesh that ends on the box.
-// Seams (blocks/seam.h) need it of a mesh that ends on an inner face, which another mesh shares.
 // Caps lie in the faces of the box. An embedded mesh does not meet them if it touches each face
 // along its boundary alone:
 //   B1  Only boundary vertices lie on a face.

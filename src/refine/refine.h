@@ -3,9 +3,9 @@
 // until every facet meets the criteria, the worst facet first.
 //
 // For a facet that violates a criterion it collapses a short edge, or inserts the surface point, or
-// inserts another point of Sigma near it. Then it removes vertices that the criteria do not need
-// (refine/thin.h), and inserts reference samples that are too far from the mesh. Last it makes
-// facets Delaunay and moves corners. Facets that stay bad are counted.
+// inserts another point of Sigma near it. Then it removes vertices near a change that the criteria
+// do not need (refine/thin.h), and inserts reference samples that are too far from the mesh. Last
+// it makes facets Delaunay and moves corners. Facets that stay bad are counted.
 //
 // Each operation replaces one disk (refine/refinement.h). So the mesh stays a manifold of the same
 // topology, embedded, with its vertices on Sigma.

@@ -7,12 +7,13 @@
 // The mesh of Stage 1 is a manifold, homeomorphic to Sigma, embedded, with its vertices on Sigma.
 // Every replacement keeps that, because it passes these tests, from cheap to expensive. Only moves
 // of refine/separate.h and lifts off the box take vertices off Sigma.
-//   G0  No frozen facet is removed, and the new disk stays in the free box. Where a part of a mesh
-//       is refined (blocks/seams.h), facets outside the part are frozen.
-//   G1  Both are disks, and no new facet or edge is in the mesh already (the link condition). So
-//       the mesh stays a manifold. Its topology stays if the boundaries of the two disks differ in
-//       at most one run of the mesh's boundary edges; the operation must ensure that
-//       (docs/proof.md).
+//   G0  No frozen facet is removed, and a vertex comes or moves only to places in the free box.
+//       That is a block without its inner faces (FreeBox::within). Where a part of a mesh is
+//       refined (blocks/seams.h), it is the part's box, and facets outside are frozen.
+//   G1  Both are disks, and no new facet or edge is in the mesh already (the link condition), or
+//       would lie in a face between blocks. So the mesh stays a manifold. Its topology stays if the
+//       boundaries of the two disks differ in at most one run of the mesh's boundary edges; the
+//       operation must ensure that (docs/proof.md).
 //   G2  No small component is reversed. No edge is folded more sharply than the proposal's limit,
 //       or than one was before; insertions and boundary splits have no limit.
 //   G3  New facets have surface points. Those below r_min that face Sigma's outside may lack one;

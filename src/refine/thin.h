@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Removes vertices that the criteria do not need. Insertion overshoots: an eighth to two fifths of
-// the vertices that Stage 2 inserts are not needed in the end, and those of a seam stand closer
-// than the criteria ask.
+// Removes vertices that the criteria do not need. Stage 1 has removed most of them. But insertion
+// overshoots: where Stage 2 changed the mesh, some are not needed in the end.
 //
 // A vertex goes if the Delaunay triangulation of its hole can take the place of its facets: all of
 // the new ones meet the criteria and are Delaunay, by their surface balls, and the vertex lies

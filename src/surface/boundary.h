@@ -2,13 +2,13 @@
 // Where the box cuts Sigma (paper §5): the boundary curves, and the chain of mesh edges along them.
 //
 // A curve is a closed polygon of points of Sigma on the box, one per grid edge it crosses: a
-// boundary loop of the exact contour. The mesh follows it with far fewer edges. A coarse chain
-// comes first. An edge is split in the middle of its arc when a point encroaches upon it, that is,
-// lies in its diametral ball. Below voxel size the middle is a root on the bilinear arc. Both
-// stages share this; only vertex ids change between them.
+// boundary loop of the exact contour. The mesh has all of these points at first, and Stage 1
+// removes most. In Stage 2 an edge is split in the middle of its arc when a point encroaches upon
+// it, that is, lies in its diametral ball. Below voxel size the middle is a root on the bilinear
+// arc.
 //
 // Some arcs are fixed: edges along them are never split, their ends never moved or removed. The
-// seams of a block are such arcs (blocks/seam.h).
+// seams of a block are such arcs, until it is welded (blocks/weld.h).
 #pragma once
 
 #include <cstdint>
@@ -96,7 +96,7 @@ class BoundaryCurves {
 };
 
 // The vertices on the boundary curves: their places, and the next and previous vertex of each.
-// Vertices are sites in Stage 1, mesh vertices in Stage 2.
+// Vertices are mesh vertices, or sites of the certified Recover.
 template <class Vertex>
 class Chain {
  public:
