@@ -194,11 +194,13 @@ std::string trace_header(const CommandLine& line, const Input& input, const Repo
   // Stage 2 keeps the topology, so that of the mesh is also Stage 1's.
   add_topology(json, "topology", mesh);
   if (line.options.components.is_all()) add_topology(json, "exact_topology", report.exact);
-  json.add("points_initial", report.points_initial);
-  json.add("insertions_recover", report.insertions_recover());
+  if (line.paper) {
+    json.add("points_initial", report.points_initial);
+    json.add("insertions_recover", report.insertions_recover());
+  }
   json.add("insertions_refine", report.insertions_refine);
   if (line.trace_times) {
-    json.add("seconds_init", report.seconds_init + report.seconds_labels);
+    json.add("seconds_init", report.seconds_init);
     json.add("seconds_recover", report.seconds_recover);
     json.add("seconds_refine", report.seconds_refine);
   }

@@ -48,6 +48,7 @@ TEST_CASE("the page has every array of the events, of one length, and what each 
     CHECK(has(header, "\"truncated\": false"));
     CHECK(has(header, "\"refused: crossing\""));
     CHECK(has(header, "\"seconds_refine\""));
+    CHECK(has(header, "\"insertions_recover\"") == paper);
     const std::size_t events = array_of<std::uint8_t>(page, "event_routine").size();
     REQUIRE(events > 10);
     CHECK(array_of<std::uint8_t>(page, "event_outcome").size() == events);
