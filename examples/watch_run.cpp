@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A run, insertion by insertion: how many vertices each routine of the paper put in, and for what
-// reasons. The trace also has the triangles that every event takes out and puts in; added up, they
-// are the mesh.
+// A run, step by step: the exact contour, the mesh that it is coarsened to, and how many vertices
+// each operation put in, and for what reasons. The trace also has the triangles that every event
+// takes out and puts in; added up, they are the mesh.
 // Usage: watch_run [VOLUME [ISOVALUE]]
 #include <cstddef>
 #include <cstdlib>
@@ -24,11 +24,13 @@ namespace {
 
 // Numbers below the count are routines of Stage 1; then come the operations of Stage 2, the ways in
 // which it mends a triangle.
+constexpr auto kRoutines = static_cast<std::size_t>(deliso::Routine::count_);
+
 std::string name_of_routine(std::size_t number) {
-  constexpr auto count = static_cast<std::size_t>(deliso::Routine::count_);
-  return number < count
+  return number < kRoutines
              ? "Stage 1  " + std::string(name_of(static_cast<deliso::Routine>(number)).name)
-             : "Stage 2  " + std::string(name_of(static_cast<deliso::Operation>(number - count)));
+             : "Stage 2  " +
+                   std::string(name_of(static_cast<deliso::Operation>(number - kRoutines)));
 }
 
 // Likewise: reasons, and then the criteria.
@@ -52,6 +54,10 @@ void watch(const std::string& input, double isovalue) {
   const deliso::TraceArrays& events = trace.arrays();
   std::map<std::pair<std::size_t, std::size_t>, int> vertices;  // by routine and reason
   for (std::size_t e = 0; e < trace.size(); ++e) {
+    if (events.routine[e] < kRoutines) {  // makes all triangles at once
+      std::cout << std::left << std::setw(46) << name_of_routine(events.routine[e]) << std::right
+                << std::setw(6) << events.value[e] << " triangles\n";
+    }
     if (events.vertex[e] == deliso::kNoId) continue;  // a flip, or an attempt that was refused
     ++vertices[{events.routine[e], events.reason[e]}];
   }

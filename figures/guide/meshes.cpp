@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures of whole meshes, by the renderer.
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -112,12 +111,6 @@ void draw_certified(const std::string& folder) {
   {
     Triangulation sites;
     std::vector<Vec3> points;
-    const Box3 box = volume.box();
-    const Vec3 middle = 0.5 * (box.lo + box.hi);
-    const double far = 16 * length(box.size());
-    for (const Vec3& way : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
-      points.push_back(middle + far * way);
-    }
     for (std::size_t n = 0; n < kSites; ++n) {
       points.push_back(contour.points[(2 * n + 1) * contour.points.size() / (2 * kSites)]);
     }
