@@ -18,7 +18,7 @@ namespace deliso {
 namespace {
 
 // Bounds on cells along an axis and in a voxel: very unequal spacings would give any number.
-constexpr int kMaxCellsAlongAxis = 32, kMaxCellsPerVoxel = 4096;
+constexpr int kMaxCellsAlongAxis = 32, kMaxCellsPerVoxel = 32768;
 // Bound on the size of T in cells: kMaxGrowth times the plain one, plus some vertices for small
 // volumes.
 constexpr double kMaxGrowth = 4, kExtraVertices = 5e5;
@@ -27,7 +27,7 @@ constexpr double kMaxCellAspect = 2;
 // Cells per side that are tried in turn where triangles cross. Few pairs have a common divisor, so
 // what lies on a plane between cells once lies well within a cell the next time. Each is a pass
 // over the volume.
-constexpr std::array kCellsPerSide{2, 5, 11, 15};
+constexpr std::array kCellsPerSide{2, 5, 11, 15, 31};
 
 // Returns how many cells to cut a voxel into: of about the side `cell`, or larger, up to
 // `coarsest`, if those are too many.
