@@ -130,6 +130,8 @@ std::string verdict_text(const MeshRun& run) {
                     : "only the components asked for",
            run.written.crossings > 0
                ? "; " + counted(run.written.crossings, "crossing pair") + " of triangles"
+           : report[Counter::voxels_crossed] > 0
+               ? "; triangles may cross in " + counted(report[Counter::voxels_crossed], "voxel")
            : run.line.paper ? "; crossings are not looked for"
                             : ", no crossings",
            "\n");

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "blocks/grid.h"
+#include "blocks/mesh_in_blocks.h"
 #include "volume/volume.h"
 
 namespace deliso::c {
@@ -34,7 +35,7 @@ Vec3 normal_at(const Vec3& p, const Volume& around, const Box3& box) {
 
 std::vector<Vec3> normals_of(const TriMesh& mesh, const VolumeSource& field,
                              const Options& options) {
-  const BlockGrid grid(field.shape, usual_block_side(field.shape));
+  const BlockGrid grid = block_grid(field.shape, options);
   const std::vector<SampleBox> boxes = grid.boxes();
   std::vector<std::vector<VertexId>> vertices(boxes.size());
   for (VertexId v = 0; v < mesh.points.size(); ++v) {

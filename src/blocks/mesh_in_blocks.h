@@ -19,7 +19,7 @@ bool grid_follows_surface(const Volume& shape, const Options& options);
 // Returns the grid of blocks of a run by these options that is not one block. Reads the source if
 // the grid follows from it.
 BlockGrid block_grid(const VolumeSource& source, double isovalue, const Options& options);
-// The same of a volume whose samples are not known. pre: !grid_follows_surface().
+// Returns the grid of equal sides, which follows from the shape alone.
 BlockGrid block_grid(const Volume& shape, const Options& options);
 
 // Returns the mesh of {g = kappa} in a part of the volume's cells, as a welded block. It is refined

@@ -6,9 +6,9 @@
 #include <limits>
 #include <optional>
 
+#include "base/disjoint_sets.h"
 #include "base/triangle.h"
 #include "coarsen/ring.h"
-#include "base/disjoint_sets.h"
 #include "delaunay/predicates.h"
 #include "embedding/box_grid.h"
 #include "embedding/triangle_pair.h"

@@ -20,8 +20,8 @@ bool Hole::fill(const Ring& ring, const FacetTest& test) {
   double distance2 = std::numeric_limits<double>::infinity();
   for (int n = 0; n < size_; ++n) {
     const auto& [a, b, c] = facets_[n].corner;
-    distance2 = std::min(distance2, distance2_to_triangle(ring.center, ring.point[a], ring.point[b],
-                                                          ring.point[c]));
+    distance2 = std::min(
+        distance2, distance2_to_triangle(ring.center, ring.point[a], ring.point[b], ring.point[c]));
   }
   return distance2 <= test.bound * test.bound;
 }
@@ -29,8 +29,8 @@ bool Hole::fill(const Ring& ring, const FacetTest& test) {
 double Hole::worst_of_star() const {
   double worst2 = 0;
   for (int k = 0; k < ring_->facets; ++k) {
-    worst2 = std::max(worst2, radius_ratio2(ring_->center, ring_->point[k],
-                                            ring_->point[ring_->after(k)]));
+    worst2 = std::max(worst2,
+                      radius_ratio2(ring_->center, ring_->point[k], ring_->point[ring_->after(k)]));
   }
   return worst2;
 }

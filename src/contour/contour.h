@@ -105,7 +105,8 @@ struct ContourMesh {
   std::vector<std::array<VertexId, 3>> triangles;
   BoundaryChains boundary;
   ContourSummary summary;
-  std::uint64_t split_voxels = 0;  // voxels that were split
+  std::uint64_t split_voxels = 0;    // voxels that were split
+  std::uint64_t crossed_voxels = 0;  // voxels in which triangles cross, in the smallest cells too
   // The voxels whose triangles might cross, in scan order as all triangles are. Such a voxel has
   // several pieces, or follows the cells of a neighboring voxel.
   struct VoxelTriangles {

@@ -135,7 +135,10 @@ ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa
     });
     if (crossed.empty()) break;
     std::vector<std::uint64_t> voxels = united(split.voxels, crossed);
-    if (voxels.size() == split.voxels.size() && ++trial == kCellsPerSide.size()) break;
+    if (voxels.size() == split.voxels.size() && ++trial == kCellsPerSide.size()) {
+      contour.crossed_voxels = crossed.size();
+      break;
+    }
     split.voxels = std::move(voxels);
     split.factor = cells_of(spacing, shortest / kCellsPerSide[trial], shortest / 2,
                             split.voxels.size(), vertices);

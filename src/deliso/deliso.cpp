@@ -22,6 +22,7 @@ void make_fine(ContourMesh& contour, const Isosurface& surface, const Parameters
   contour = fine_contour(std::move(contour), surface.volume(), surface.kappa());
   make_seams_plain(contour, surface.volume());
   report[Counter::voxels_cut] = contour.split_voxels;
+  report[Counter::voxels_crossed] = contour.crossed_voxels;
 }
 
 SurfaceMesh delaunay_mesh(const Isosurface& surface, ContourMesh& contour,

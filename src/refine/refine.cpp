@@ -105,16 +105,15 @@ class RefineGeom {
   std::vector<std::uint8_t> is_unsettled_;
   IdArray<VertexId, std::uint8_t> is_near_change_;  // an operation was done there
   IdArray<VertexId, std::uint8_t> is_crowded_;      // for separate()
-  IdArray<FaceId, double> violation_;           // of facets that were queued; of others less than 0
-  std::vector<FaceId> refused_;                 // in this pass of refine_worst_first()
-  std::vector<FaceId> changed_;                 // to be tested for flips
+  IdArray<FaceId, double> violation_;  // of facets that were queued; of others less than 0
+  std::vector<FaceId> refused_;        // in this pass of refine_worst_first()
+  std::vector<FaceId> changed_;        // to be tested for flips
   // Per facet: its edges are Delaunay, and neither it nor a neighbor has changed since.
   std::vector<std::uint8_t> has_delaunay_edges_;
   bool met_frozen_ = false;  // a frozen facet refused the last operation
 };
 
-std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done,
-                                          bool thins) {
+std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done, bool thins) {
   is_done_ = std::move(is_done);
   is_done_.resize(mesh_.faces.size(), 0);
   has_delaunay_edges_.resize(mesh_.faces.size(), 0);

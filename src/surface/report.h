@@ -20,6 +20,7 @@ enum class Counter : std::uint8_t {
   // Stage 1
   components_skipped,  // by --min-component
   voxels_cut,          // voxels in which the exact contour was made of cells
+  voxels_crossed,      // those of them in which triangles of it cross all the same
   unready_facets,      // facets handed over whose dual line misses Sigma within r
   coarsened_again,     // coarsenings made again because the mesh came to cross itself
   // Stage 2
@@ -34,9 +35,9 @@ enum class Counter : std::uint8_t {
 };
 inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::count_);
 inline constexpr std::array<std::string_view, kCounterCount> kCounterNames{
-    "components_skipped", "voxels_cut", "unready_facets",   "coarsened_again",
-    "unrefined_facets",   "points_far", "cap_edges_lifted", "cap_lifts_off_surface",
-    "cap_not_lifted",     "cap_refused"};
+    "components_skipped",    "voxels_cut",       "voxels_crossed", "unready_facets",
+    "coarsened_again",       "unrefined_facets", "points_far",     "cap_edges_lifted",
+    "cap_lifts_off_surface", "cap_not_lifted",   "cap_refused"};
 static_assert(!kCounterNames.back().empty());
 
 // The operations of Stage 2, and why one is refused (refine/refinement.h).

@@ -99,7 +99,8 @@ TEST_CASE("by a bound of a voxel the topology stays") {
   CHECK(after < before);
 }
 
-TEST_CASE("facets of the coarsened contour meet the bound and are well shaped, on smooth surfaces") {
+TEST_CASE(
+    "facets of the coarsened contour meet the bound and are well shaped, on smooth surfaces") {
   for (const char* name : {"sphere", "linked_tori", "gyroid", "fuel"}) {
     CAPTURE(name);
     Scene scene = builtin_scene(name, 32);
@@ -130,13 +131,11 @@ TEST_CASE("what is not in the scope stays, and a change is told") {
   // Half of the space is free.
   const double middle = 0.5 * scene.volume.box().hi.x;
   std::stable_partition(some.mesh.faces.begin(), some.mesh.faces.end(), [&](const Face& face) {
-    return std::ranges::any_of(face.v,
-                               [&](VertexId v) { return some.mesh.points[v].x < middle; });
+    return std::ranges::any_of(face.v, [&](VertexId v) { return some.mesh.points[v].x < middle; });
   });
   link_faces(some.mesh);
-  while (std::ranges::any_of(some.mesh.faces[scope.free_box.first_free].v, [&](VertexId v) {
-    return some.mesh.points[v].x < middle;
-  })) {
+  while (std::ranges::any_of(some.mesh.faces[scope.free_box.first_free].v,
+                             [&](VertexId v) { return some.mesh.points[v].x < middle; })) {
     ++scope.free_box.first_free;
   }
   scope.free_box.lo.x = middle;

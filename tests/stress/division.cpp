@@ -118,7 +118,8 @@ int main(int argc, char** argv) {
   const auto seeds = parse_seeds(argc, argv, "stress_division", 63);
   if (!seeds) return 2;
   const auto [first, count, list] = *seeds;
-  std::uint64_t differing = 0, refused = 0, faulty = 0, close = 0, triangles = 0, again_coarsened = 0;
+  std::uint64_t differing = 0, refused = 0, faulty = 0, close = 0, triangles = 0,
+                again_coarsened = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     TinyVolume tiny = make_tiny_volume(seed, 8, 20);
     if (seed / kTinyKinds % 4 == 1) tiny.volume = stretched(tiny.volume);
