@@ -25,12 +25,12 @@ struct Bounds {
 // Some 1.1 times the vertices and 1.5 to 2 times the other medians of eight runs. noise:20 and
 // marschner_lobb:41 have features below a voxel, and points that no facet reaches.
 constexpr std::array kBounds{
-    Bounds{"orbital:48", 1770, 2, 2, 3, 0.2, 0.3, 0.2, 0.25, 99.9},
-    Bounds{"fuel:32", 1340, 2, 2, 3, 0.22, 0.35, 0.22, 0.3, 99.8},
-    Bounds{"machine:40", 2600, 3, 3, 5, 0.25, 0.4, 0.25, 0.4, 99.7},
-    Bounds{"gyroid:48", 5800, 3, 4, 3, 0.25, 0.4, 0.2, 0.3, 99.9},
-    Bounds{"noise:20", 7650, 9, 32, 14, 0.3, 0.6, 0.3, 0.5, 99.5},
-    Bounds{"marschner_lobb:41", 14700, 90, 210, 400, 0.4, 1, 0.75, 1.2, 97.5},
+    Bounds{"orbital:48", 1710, 2, 2, 2, 0.2, 0.28, 0.2, 0.25, 99.9},
+    Bounds{"fuel:32", 1310, 2, 2, 2, 0.21, 0.28, 0.22, 0.26, 99.9},
+    Bounds{"machine:40", 2520, 2, 2, 2, 0.23, 0.32, 0.23, 0.3, 99.4},
+    Bounds{"gyroid:48", 5800, 2, 2, 2, 0.22, 0.28, 0.17, 0.22, 99.9},
+    Bounds{"noise:20", 7400, 9, 32, 4, 0.26, 0.45, 0.25, 0.35, 99.5},
+    Bounds{"marschner_lobb:41", 15900, 340, 350, 6, 0.28, 0.5, 0.25, 0.35, 97.5},
 };
 
 }  // namespace
