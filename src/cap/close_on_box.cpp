@@ -24,8 +24,7 @@ void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurve
   const StepTimer timer(report.seconds_cap);
   TriMesh& mesh = s.mesh;
   CapReport& result = report.cap;
-  report[Counter::cap_not_lifted] +=
-      lift_off(s, surface, curves, kAllFaces, OffSurface::allowed, parameters, report);
+  report[Counter::cap_not_lifted] += lift_off(s, surface, curves, parameters, report);
   result.surface_vertices = mesh.points.size();
   result.surface_triangles = mesh.faces.size();
   BoxCaps caps(mesh, surface.volume().box(), inside);

@@ -22,8 +22,6 @@ constexpr int kMaxCellsAlongAxis = 32, kMaxCellsPerVoxel = 32768;
 // Bound on the size of T in cells: kMaxGrowth times the plain one, plus some vertices for small
 // volumes.
 constexpr double kMaxGrowth = 4, kExtraVertices = 5e5;
-// Bound on the ratio of a cell's longest to its shortest side.
-constexpr double kMaxCellAspect = 2;
 // Cells per side that are tried in turn where triangles cross. Few pairs have a common divisor, so
 // what lies on a plane between cells once lies well within a cell the next time. Each is a pass
 // over the volume.
@@ -123,7 +121,7 @@ void perturb_coincident(ContourMesh& contour, double perturbation) {
 
 ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa) {
   const Vec3 spacing = volume.spacing();
-  const auto [shortest, longest] = std::minmax({spacing.x, spacing.y, spacing.z});
+  const double shortest = std::min({spacing.x, spacing.y, spacing.z});
   const std::size_t vertices = plain.points.size();
   ContourSplit split;
   ContourMesh contour = std::move(plain);

@@ -25,18 +25,14 @@ VoxelNumbers without(const VoxelNumbers& list, const VoxelNumbers& removed) {
 // Meshes voxels, some of them in cells.
 class SplitMesher final : public ContourSink {
  public:
-  // Keeps references to the lists: the voxels to split, and others that stay whole.
-  SplitMesher(ContourMesh& mesh, const Volume& volume, double kappa, const ContourSplit& split,
-              const VoxelNumbers& whole)
+  // Keeps a reference to the list of voxels to split.
+  SplitMesher(ContourMesh& mesh, const Volume& volume, double kappa, const ContourSplit& split)
       : mesh_(mesh),
         mesher_(mesh, volume, kappa),
         listed_(split.voxels),
-        whole_(whole),
-        sizes_{Size(split.factor), Size(split.elsewhere)},
-        has_elsewhere_(split.elsewhere != Index3{1, 1, 1}),
+        cells_(split.factor),
         dims_(volume.dims()),
-        voxels_(volume.voxels()),
-        inner_faces_(volume.inner_faces()) {
+        voxels_(volume.voxels()) {
     first_across_y_.resize(voxels_.i, kNoId);
     first_across_z_.resize(first_across_y_.size() * voxels_.j, kNoId);
   }
@@ -50,33 +46,30 @@ class SplitMesher final : public ContourSink {
   }
 
   void voxel(const VoxelPieces& p) override {
-    Size* const own = size_of(p.voxel);
+    const bool is_split = is_listed(p.voxel);
     const std::size_t crossings = p.loops.first[p.loops.count];
-    SizeAtFace at{};
+    SplitFaces at{};
     for (std::size_t n = 0; n < crossings; ++n) {
       const int f = p.loops.face[n];
-      at[f] = own != nullptr ? own : size_of(voxel_across(p.voxel, f));
+      at[f] = is_split || is_listed(voxel_across(p.voxel, f));
     }
-    for (Size& size : sizes_) {
-      if (std::ranges::find(at, &size) == at.end()) continue;
-      size.fine.load(p.corners);
-      for (std::size_t n = 0; n < crossings; ++n) {
-        size.vertex[size.fine.crossed_part(p.loops.edge[n])] = p.vertex[n];
-      }
+    if (at == SplitFaces{}) return mesher_.voxel(p);
+    cells_.fine.load(p.corners);
+    for (std::size_t n = 0; n < crossings; ++n) {
+      cells_.vertex[cells_.fine.crossed_part(p.loops.edge[n])] = p.vertex[n];
     }
-    if (own != nullptr && !own->fine.agrees_with(p.loops, p.tube)) {
+    if (is_split && !cells_.fine.agrees_with(p.loops, p.tube)) {
       disagreeing.push_back(voxel_number(dims_, p.voxel));
     }
     if (!disagreeing.empty()) return;
-    if (at == SizeAtFace{}) return mesher_.voxel(p);
     // Face by face: the low face along x takes the id that the high face leaves for the next voxel.
     for (int f = 0; f < 6; ++f) {
-      if (at[f] != nullptr) number_face(*at[f], p.voxel, f);
+      if (at[f]) number_face(p.voxel, f);
     }
     mesher_.begin_voxel();
     bool crowded = true;
-    if (own != nullptr) {
-      crowded = mesh_cells(*own, p);
+    if (is_split) {
+      crowded = mesh_cells(p);
     } else {
       mesh_beside(p, at);
     }
@@ -94,28 +87,16 @@ class SplitMesher final : public ContourSink {
   }
 
  private:
-  // Cells of one size, and the current voxel cut into them.
-  struct Size {
-    explicit Size(Index3 factor) : fine(factor), vertex(fine.slots()), label(fine.slots()) {}
+  // The current voxel cut into cells.
+  struct Cells {
+    explicit Cells(Index3 factor) : fine(factor), vertex(fine.slots()), label(fine.slots()) {}
 
     FineVoxel fine;
     std::vector<VertexId> vertex;      // by slot
     std::vector<std::uint32_t> label;  // by piece
   };
-  // The size of the cells at each face of a voxel that Sigma crosses; null for none.
-  using SizeAtFace = std::array<Size*, 6>;
-
-  // Returns the size of the voxel's cells; null for whole voxels. A voxel stays whole between cells
-  // of unlike sizes, and at a seam: the next block does not know the crossings of its cells.
-  Size* size_of(Index3 voxel) {
-    if (is_in(listed_, voxel)) return &sizes_[0];
-    const bool may_split = has_elsewhere_ && is_in_volume(voxel) && !is_in(whole_, voxel);
-    if (!may_split || (outer_faces(voxel, voxels_) & inner_faces_) != 0) return nullptr;
-    for (int f = 0; f < 6; ++f) {
-      if (is_in(listed_, voxel_across(voxel, f))) return nullptr;
-    }
-    return &sizes_[1];
-  }
+  // For the faces of a voxel that Sigma crosses, whether a voxel at the face is split.
+  using SplitFaces = std::array<bool, 6>;
 
   bool is_in_volume(Index3 voxel) const {
     for (int axis = 0; axis < 3; ++axis) {
@@ -123,8 +104,8 @@ class SplitMesher final : public ContourSink {
     }
     return true;
   }
-  bool is_in(const VoxelNumbers& list, Index3 voxel) const {
-    return is_in_volume(voxel) && std::ranges::binary_search(list, voxel_number(dims_, voxel));
+  bool is_listed(Index3 voxel) const {
+    return is_in_volume(voxel) && std::ranges::binary_search(listed_, voxel_number(dims_, voxel));
   }
 
   // Returns the first id on the face between `low_voxel` and the next one along the axis.
@@ -134,54 +115,55 @@ class SplitMesher final : public ContourSink {
     return axis == 1 ? first_across_y_[i] : first_across_z_[i + first_across_y_.size() * j];
   }
 
-  void number_face(Size& size, Index3 voxel, int f) {
+  void number_face(Index3 voxel, int f) {
     const int axis = f >> 1;
     const bool high = (f & 1) != 0, on_box = (outer_faces(voxel, voxels_) >> f & 1) != 0;
-    const auto slots = size.fine.crossed_on_face(f);
+    const auto slots = cells_.fine.crossed_on_face(f);
     if (!high && !on_box) {
       VertexId id = first_on_face(axis, voxel);
-      for (const auto slot : slots) size.vertex[slot] = id++;
+      for (const auto slot : slots) cells_.vertex[slot] = id++;
       return;
     }
     for (const auto slot : slots)
-      size.vertex[slot] = add_crossing(size, voxel, slot, on_box ? 1 << f : 0);
-    if (!on_box) first_on_face(axis, voxel) = slots.empty() ? kNoId : size.vertex[slots[0]];
+      cells_.vertex[slot] = add_crossing(voxel, slot, on_box ? 1 << f : 0);
+    if (!on_box) first_on_face(axis, voxel) = slots.empty() ? kNoId : cells_.vertex[slots[0]];
   }
 
-  VertexId add_crossing(const Size& size, Index3 voxel, FineVoxel::Slot slot, int box_faces) {
-    const Vec3 u = size.fine.crossing(slot);
+  VertexId add_crossing(Index3 voxel, FineVoxel::Slot slot, int box_faces) {
+    const Vec3 u = cells_.fine.crossing(slot);
     return mesher_.add_at(mesher_.place(voxel) + u, static_cast<std::uint8_t>(box_faces));
   }
 
   // Returns true if the cells' triangles might cross.
-  bool mesh_cells(Size& size, const VoxelPieces& p) {
-    for (const auto slot : size.fine.crossed_inside())
-      size.vertex[slot] = add_crossing(size, p.voxel, slot, 0);
+  bool mesh_cells(const VoxelPieces& p) {
+    for (const auto slot : cells_.fine.crossed_inside())
+      cells_.vertex[slot] = add_crossing(p.voxel, slot, 0);
     ++mesh_.split_voxels;
     for (int l = 0; l < p.loops.count; ++l) {
-      size.label[size.fine.piece(size.fine.crossed_part(p.loops.edges(l)[0]))] = p.label[l];
+      cells_.label[cells_.fine.piece(cells_.fine.crossed_part(p.loops.edges(l)[0]))] = p.label[l];
     }
     bool crowded = false;
-    for (const FineVoxel::Cell& cell : size.fine.cells()) {
-      CellFrame frame = size.fine.frame(cell);
+    for (const FineVoxel::Cell& cell : cells_.fine.cells()) {
+      CellFrame frame = cells_.fine.frame(cell);
       frame.low = frame.low + mesher_.place(p.voxel);
       const VoxelLoops& loops = cell.loops;
       VoxelPieces pieces(p.voxel, cell.corners, loops, cell.tube);
       for (int n = 0; n < loops.first[loops.count]; ++n) {
-        pieces.vertex[n] = size.vertex[size.fine.slot(cell, loops.edge[n])];
+        pieces.vertex[n] = cells_.vertex[cells_.fine.slot(cell, loops.edge[n])];
       }
       for (int l = 0; l < loops.count; ++l) {
-        pieces.label[l] = size.label[size.fine.piece(size.fine.slot(cell, loops.edges(l)[0]))];
+        pieces.label[l] =
+            cells_.label[cells_.fine.piece(cells_.fine.slot(cell, loops.edges(l)[0]))];
       }
       mesher_.cell(frame, pieces, p);
       crowded |= PieceMesher::is_crowded(loops);
     }
-    add_boundary(size, p);
+    add_boundary(p);
     return crowded;
   }
 
   // Only split voxels have cells on the box, so only they call this.
-  void add_boundary(const Size& size, const VoxelPieces& p) {
+  void add_boundary(const VoxelPieces& p) {
     const unsigned outer = outer_faces(p.voxel, voxels_);
     for (int l = 0; l < p.loops.count; ++l) {
       for (int n = p.loops.first[l]; n < p.loops.first[l + 1]; ++n) {
@@ -189,24 +171,23 @@ class SplitMesher final : public ContourSink {
         if ((outer >> face & 1) == 0) continue;
         replaced_.push_back(p.vertex[n]);
         VertexId from = p.vertex[n];
-        size.fine.for_each_after(p.loops.edge[n], [&](FineVoxel::Slot slot) {
-          boundary_.push_back({from, size.vertex[slot], p.label[l], face});
-          from = size.vertex[slot];
+        cells_.fine.for_each_after(p.loops.edge[n], [&](FineVoxel::Slot slot) {
+          boundary_.push_back({from, cells_.vertex[slot], p.label[l], face});
+          from = cells_.vertex[slot];
         });
       }
     }
   }
 
-  void mesh_beside(const VoxelPieces& p, const SizeAtFace& at) {
+  void mesh_beside(const VoxelPieces& p, const SplitFaces& at) {
     std::array<std::vector<VertexId>, kMaxLoops> loop;
     std::size_t vertices = 0;
     for (int l = 0; l < p.loops.count; ++l) {
       for (int n = p.loops.first[l]; n < p.loops.first[l + 1]; ++n) {
         loop[l].push_back(p.vertex[n]);
-        const Size* const size = at[p.loops.face[n]];
-        if (size == nullptr) continue;
-        size->fine.for_each_after(
-            p.loops.edge[n], [&](FineVoxel::Slot slot) { loop[l].push_back(size->vertex[slot]); });
+        if (!at[p.loops.face[n]]) continue;
+        cells_.fine.for_each_after(
+            p.loops.edge[n], [&](FineVoxel::Slot slot) { loop[l].push_back(cells_.vertex[slot]); });
         loop[l].pop_back();  // the next of the voxel's own
       }
       vertices += loop[l].size();
@@ -219,11 +200,9 @@ class SplitMesher final : public ContourSink {
 
   ContourMesh& mesh_;
   PieceMesher mesher_;
-  const VoxelNumbers &listed_, &whole_;
-  std::array<Size, 2> sizes_;  // of the cells of listed voxels, and elsewhere
-  bool has_elsewhere_;
+  const VoxelNumbers& listed_;
+  Cells cells_;
   Index3 dims_, voxels_;
-  unsigned inner_faces_;
   std::vector<VertexId> first_across_y_, first_across_z_;  // first ids on the faces ahead
   VertexId first_across_x_ = kNoId;
   std::vector<BoundarySegment> boundary_;
@@ -233,16 +212,14 @@ class SplitMesher final : public ContourSink {
 }  // namespace
 
 ContourMesh build_contour(const Volume& volume, double kappa, ContourSplit split) {
-  VoxelNumbers whole;
   while (true) {
     ContourMesh mesh;
-    SplitMesher mesher(mesh, volume, kappa, split, whole);
+    SplitMesher mesher(mesh, volume, kappa, split);
     WalkResult found = walk_contour(volume, kappa, mesher);
     if (mesher.disagreeing.empty()) {
       complete(mesh, std::move(found));
       return mesh;
     }
-    whole = united(whole, without(mesher.disagreeing, split.voxels));
     split.voxels = without(split.voxels, mesher.disagreeing);
   }
 }

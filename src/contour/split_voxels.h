@@ -4,7 +4,6 @@
 //   - A split voxel has the pieces of its cells (contour/fine_voxel.h).
 //   - A whole voxel beside a split one follows the crossings on the face between them. So its loops
 //   have more vertices, and its stars and bands more triangles.
-// Cells have one of two sizes, and a whole voxel lies between split voxels of unlike cells.
 // The voxel that meets a face first numbers the crossings inside it, in the order that both voxels
 // share. The other voxel needs only the first of these ids.
 #pragma once
@@ -21,9 +20,6 @@ namespace deliso {
 struct ContourSplit {
   std::vector<std::uint64_t> voxels;  // voxel_number()s of active voxels, ascending
   Index3 factor{4, 4, 4};             // cells of each listed voxel, >= 1
-  // Cells of every other active voxel, >= 1. Voxels that share a face with a listed one stay whole,
-  // so that cells of two sizes never meet.
-  Index3 elsewhere{1, 1, 1};
 };
 
 // Returns T, made finer as `split` says. I1-I6 and the topology of the plain T hold, component by

@@ -55,12 +55,11 @@ enum class Effort : std::uint8_t { as_stage2, on_surface, next_to_it };
 
 class LiftOff {
  public:
-  LiftOff(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves, unsigned faces,
+  LiftOff(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
           double first_distance, const Parameters& parameters, Report& report)
       : s_(s),
         mesh_(s.mesh),
         box_(surface.volume().box()),
-        faces_(faces),
         off_(distances_off(surface.volume(), first_distance)),
         surface_(surface),
         curves_(curves),
@@ -68,14 +67,12 @@ class LiftOff {
         report_(report),
         finder_(surface) {}
 
-  std::size_t run(OffSurface off_surface);
+  std::size_t run();
 
  private:
-  unsigned faces_at(VertexId v) const { return box_faces_at(mesh_.points[v], box_) & faces_; }
+  unsigned faces_at(VertexId v) const { return box_faces_at(mesh_.points[v], box_); }
   // Returns the faces that p is too near to.
-  unsigned faces_near(const Vec3& p) const {
-    return box_faces_at(p, box_, 0.5 * off_.back()) & faces_;
-  }
+  unsigned faces_near(const Vec3& p) const { return box_faces_at(p, box_, 0.5 * off_.back()); }
   // Returns the faces on which both ends of the edge of f opposite its corner i lie.
   unsigned faces_at_edge(FaceId f, int i) const {
     const Triangle& v = mesh_.faces[f].v;
@@ -119,7 +116,6 @@ class LiftOff {
   SurfaceMesh& s_;
   const TriMesh& mesh_;
   const Box3 box_;
-  const unsigned faces_;
   const std::vector<double> off_;  // descending
   const Isosurface& surface_;
   const BoundaryCurves& curves_;
@@ -129,8 +125,8 @@ class LiftOff {
   std::optional<Refinement> replacer_;
 };
 
-std::size_t LiftOff::run(OffSurface off_surface) {
-  parameters_.observer = nullptr;  // caps and seams are not followed
+std::size_t LiftOff::run() {
+  parameters_.observer = nullptr;  // caps are not followed
   std::size_t left = 0;
   std::vector<std::uint8_t> on_boundary(mesh_.points.size(), 0);
   for (const Face& face : mesh_.faces) {
@@ -149,7 +145,6 @@ std::size_t LiftOff::run(OffSurface off_surface) {
   }
   std::size_t flat = 1;
   for (const Effort effort : {Effort::as_stage2, Effort::on_surface, Effort::next_to_it}) {
-    if (effort == Effort::next_to_it && off_surface == OffSurface::refused) break;
     if (flat > 0) flat = lift_all(effort);
   }
   return left + flat;
@@ -267,12 +262,10 @@ bool LiftOff::lift(FaceId f, int i, Effort effort) {
 }  // namespace
 
 std::size_t lift_off(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-                     unsigned faces, OffSurface off_surface, const Parameters& parameters,
-                     Report& report) {
+                     const Parameters& parameters, Report& report) {
   const double perturbation = kPerturbationVoxels * parameters.voxel;
-  const double first =
-      off_surface == OffSurface::allowed ? std::max(parameters.gap, perturbation) : perturbation;
-  return LiftOff(s, surface, curves, faces, first, parameters, report).run(off_surface);
+  return LiftOff(s, surface, curves, std::max(parameters.gap, perturbation), parameters, report)
+      .run();
 }
 
 }  // namespace deliso

@@ -19,16 +19,9 @@
 
 namespace deliso {
 
-inline constexpr unsigned kAllFaces = 0x3f;
-
-// Whether a new vertex may lie off Sigma where no point of Sigma can be used.
-enum class OffSurface : bool { refused, allowed };
-
-// Makes B1 to B3 hold on some faces of the box (bit 2 * axis, + 1 at the high end). Returns at how
-// many places every attempt was refused: those stay as they are. New vertices lie on Sigma if
-// possible.
+// Makes B1 to B3 hold. Returns at how many places every attempt was refused: those stay as they
+// are. New vertices lie on Sigma if possible.
 std::size_t lift_off(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-                     unsigned faces, OffSurface off_surface, const Parameters& parameters,
-                     Report& report);
+                     const Parameters& parameters, Report& report);
 
 }  // namespace deliso

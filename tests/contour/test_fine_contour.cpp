@@ -94,7 +94,6 @@ TEST_CASE("triangles cross in crowded voxels only, also beside split ones") {
     split.voxels.erase(std::unique(split.voxels.begin(), split.voxels.end()), split.voxels.end());
     const int cells = 2 + static_cast<int>(random.below(6));
     split.factor = {cells, cells, cells};
-    if (seed % 2 == 0) split.elsewhere = {1, 2, 3};
     const ContourMesh contour = build_contour(volume, kappa, split);
 
     std::vector<std::uint8_t> is_crowded(contour.triangles.size(), 0);

@@ -79,12 +79,10 @@ bool is_active(const Volume& volume, double kappa, Index3 voxel) {
   return inside > 0 && inside < 8;
 }
 
-// Splits each active voxel with the given probability; every other time all other voxels get other
-// cells.
+// Splits each active voxel with the given probability.
 ContourSplit random_split(Random& random, const Volume& volume, double kappa, double share) {
   ContourSplit split;
   split.factor = random_dims(random, 1, 4);
-  if (random.below(2) == 0) split.elsewhere = random_dims(random, 1, 4);
   const Index3 n = volume.voxels();
   const auto voxels = static_cast<std::uint64_t>(n.i) * static_cast<std::uint64_t>(n.j) *
                       static_cast<std::uint64_t>(n.k);
@@ -100,27 +98,6 @@ ContourSplit random_split(Random& random, const Volume& volume, double kappa, do
 struct Tally {
   std::uint64_t split = 0, expected = 0, tubes = 0, with_boundary = 0, closed = 0;
 };
-
-// How many voxels should be split if none is degenerate.
-std::uint64_t split_by(const ContourSplit& split, const Volume& volume, double kappa) {
-  const Index3 count = volume.voxels();
-  const auto is_listed = [&](Index3 voxel) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (voxel[axis] < 0 || voxel[axis] >= count[axis]) return false;
-    }
-    return std::binary_search(split.voxels.begin(), split.voxels.end(),
-                              voxel_number(volume.dims(), voxel));
-  };
-  std::uint64_t sum = 0;
-  for_each_index(count, [&](int i, int j, int k) {
-    if (!is_active(volume, kappa, {i, j, k})) return;
-    const bool beside_listed = is_listed({i - 1, j, k}) || is_listed({i + 1, j, k}) ||
-                               is_listed({i, j - 1, k}) || is_listed({i, j + 1, k}) ||
-                               is_listed({i, j, k - 1}) || is_listed({i, j, k + 1});
-    sum += is_listed({i, j, k}) || (split.elsewhere != Index3{1, 1, 1} && !beside_listed);
-  });
-  return sum;
-}
 
 void check_split(Random& random, const Volume& volume, double kappa, Tally& tally) {
   const ContourMesh plain = build_contour(volume, kappa);
@@ -138,11 +115,10 @@ void check_split(Random& random, const Volume& volume, double kappa, Tally& tall
     CHECK((before[c] >= 0) == (after[c] >= 0));
     tally.closed += before[c] != 0;
   }
-  const bool whole_elsewhere = split.elsewhere == Index3{1, 1, 1};
-  if (whole_elsewhere && (split.factor == Index3{1, 1, 1} || split.voxels.empty())) {
+  if (split.factor == Index3{1, 1, 1} || split.voxels.empty()) {
     CHECK(same_mesh(finer, plain));
   }
-  tally.expected += split_by(split, volume, kappa);
+  tally.expected += split.voxels.size();  // if none is degenerate
   tally.split += finer.split_voxels;
   tally.with_boundary += plain.boundary.size() > 0;
   for (const auto& component : plain.summary.components) tally.tubes += component.tubes;
@@ -215,7 +191,8 @@ TEST_CASE("triangles face outwards and come closer to the surface as cells get s
   for (const int factor : {1, 2, 4}) {
     CAPTURE(factor);
     ContourSplit split;
-    split.elsewhere = {factor, factor, factor};
+    split.factor = {factor, factor, factor};
+    for (std::uint64_t v = 0; v < 18 * 18 * 18; ++v) split.voxels.push_back(v);
     const ContourMesh mesh = build_contour(volume, kappa, split);
     CHECK(check_contour(mesh, volume, kappa) == "");
     double worst = 0;
@@ -228,8 +205,7 @@ TEST_CASE("triangles face outwards and come closer to the surface as cells get s
     }
     CHECK(worst < 0.4 * worst_before);
     worst_before = worst;
-    split.elsewhere = {1, 2, 3};
-    split.factor = {factor, factor, factor};
+    split.voxels.clear();
     for (std::uint64_t v = 0; v < 18 * 18 * 18; ++v) {
       if (random.below(3) == 0) split.voxels.push_back(v);
     }
@@ -253,7 +229,5 @@ TEST_CASE("the same input gives the same mesh") {
 TEST_CASE("a volume without voxels has nothing to split") {
   const Volume flat = Volume::from_samples<std::uint8_t>({3, 2, 1}, {1, 1, 1}, {0, 9, 0, 9, 0, 9});
   ContourSplit split;
-  CHECK(build_contour(flat, 4.5, split).points.empty());
-  split.elsewhere = {2, 2, 2};
   CHECK(build_contour(flat, 4.5, split).points.empty());
 }
