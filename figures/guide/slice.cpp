@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "guide/slice.h"
 
+#include <numeric>
+
 #include "base/check.h"
 #include "contour/contour.h"
 #include "contour/split_voxels.h"
@@ -22,7 +24,10 @@ Volume extruded(int columns, int rows, const std::function<double(double, double
 
 Slice::Slice(int columns, int rows, const std::function<double(double, double)>& f, int cells)
     : volume_(extruded(columns, rows, f)), tree_(volume_), surface_(volume_, 0) {
-  const ContourMesh contour = build_contour(volume_, 0, {{}, {1, 1, 1}, {cells, cells, 1}});
+  ContourSplit split{{}, {cells, cells, 1}};
+  split.voxels.resize(std::size_t(columns - 1) * (rows - 1));
+  std::iota(split.voxels.begin(), split.voxels.end(), std::uint64_t{0});
+  const ContourMesh contour = build_contour(volume_, 0, std::move(split));
   for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
     std::vector<Vec2> loop;
     for (const VertexId v : contour.boundary.chain(c)) {

@@ -59,7 +59,7 @@ void draw_voxel(Drawing& out, const Vec2& corner, const Corners& values, const c
       Volume::from_samples<double>({2, 2, 2}, {1, 1, 1}, {values.begin(), values.end()});
   // T of many cells, which looks like Sigma, with its boundary and the crossings of grid edges: the
   // furthest first, lit from the upper left, the outside blue and the inside orange.
-  const ContourMesh fine = build_contour(volume, 0, {{0}, {kCells, kCells, kCells}, {1, 1, 1}});
+  const ContourMesh fine = build_contour(volume, 0, {{0}, {kCells, kCells, kCells}});
   const auto is_crossing = [&](VertexId v) {
     int on_faces = 0;
     for (int axis = 0; axis < 3; ++axis) {

@@ -47,6 +47,8 @@ TEST_CASE("a star is a fan if its facets go around once at most, from wherever t
     // A ramp that comes back over its beginning, and cuts it.
     CHECK_FALSE(
         is_fan(star_of(from({0, 80, 160, 240, 320, 400}), {0, .1, .1, .1, .1, 0}, false), false));
+    // A facet that turns back over the one before.
+    CHECK_FALSE(is_fan(star_of(from({0, 100, 70, 180, 270}), {0, 0, .1, 0, 0}, true), true));
     // Twice around.
     CHECK_FALSE(
         is_fan(star_of(from({0, 120, 240, 360, 480, 600}), {0, 0, 0, .1, .1, .1}, true), true));
