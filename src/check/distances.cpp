@@ -187,7 +187,7 @@ Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface,
       LinesThrough lines(surface, 0.5 * (p + q), p, limit, bound.distance);
       for (const EdgeUse& use : edge) {
         const Vec3& opposite = mesh.points[mesh.triangles[use.triangle][use.side]];
-        values[4 * use.triangle + point_of_side(use.side)] =
+        values[std::size_t{4} * use.triangle + point_of_side(use.side)] =
             lines.distance(normal(use.triangle), {opposite});
       }
       return true;
