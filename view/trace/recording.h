@@ -60,9 +60,11 @@ class Recording {
   void record(std::uint8_t outcome);
   void record(TraceOutcome outcome) { record(trace_code(outcome)); }
 
-  Trace& trace_;
+  Trace& out() { return trace_; }
+  const Trace& out() const { return trace_; }
 
  private:
+  Trace& trace_;
   // T of more triangles is not shown.
   static constexpr std::size_t kMostTriangles = 400'000;
 
