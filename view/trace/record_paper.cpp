@@ -56,7 +56,7 @@ Triangle PaperRecorder::number(Facet sigma) const {
 }
 
 Triangle PaperRecorder::number(FaceId f) const {
-  const std::vector<VertexId>& numbers = out().of_mesh();
+  const std::vector<VertexId>& numbers = target().of_mesh();
   const Triangle& v = mesh_->mesh.faces[f].v;
   return {numbers[v[0]], numbers[v[1]], numbers[v[2]]};
 }
@@ -67,19 +67,19 @@ void PaperRecorder::sample_ready(const paper::RestrictedDelaunay& del,
   run_begins(report.searches_recover, report.searches_refine, report.r_min);
   sites_begin(del.del(), del.sigma().volume().box());
   TraceEvent& event =
-      out().asks(trace_code(Routine::init_triangulation), trace_code(Reason::beginning),
-                  static_cast<double>(del.created().size()));
+      target().asks(trace_code(Routine::init_triangulation), trace_code(Reason::beginning),
+                    static_cast<double>(del.created().size()));
   for (const Facet f : del.created()) event.added.push_back(number(f));
   record(TraceOutcome::done);
 }
 
 void PaperRecorder::asks(paper::Reason reason, Facet sigma, SiteId q, double value, const Vec3& x) {
   outcome_ = TraceOutcome::done;
-  if (out().is_full()) return;
+  if (target().is_full()) return;
   const Triangulation& t = del_->del();
   const SiteTriangle corners = facet_vertices(t, sigma);
   const auto [routine, code] = codes_of(reason);
-  TraceEvent& event = out().asks(trace_code(routine), code, value);
+  TraceEvent& event = target().asks(trace_code(routine), code, value);
   event.caller = number(corners);
   if (q != kNoId) {
     event.caller = {number(q), kNoId, kNoId};
@@ -105,14 +105,14 @@ void PaperRecorder::labels_ready(const Labels& labels, const Box3& domain,
 void PaperRecorder::asks_site(paper::Reason reason, SiteId q, VertexId v) {
   outcome_ = TraceOutcome::done;
   const auto [routine, code] = codes_of(reason);
-  if (!out().is_full()) Recording::asks_site(routine, code, q, v);
+  if (!target().is_full()) Recording::asks_site(routine, code, q, v);
 }
 
 void PaperRecorder::insertion_begins(const Vec3& p, const ConflictZone& zone) {
-  if (out().is_full()) return;
+  if (target().is_full()) return;
   tell_zone(p, zone);
   if (!del_) return;
-  std::vector<Triangle>& gone = out().event().removed;
+  std::vector<Triangle>& gone = target().event().removed;
   for (const CellId c : zone.cells) {
     for (int i = 0; i < 4; ++i) {
       if (!del_->hits({c, i}).empty()) gone.push_back(number(Facet{c, i}));
@@ -124,11 +124,11 @@ void PaperRecorder::insertion_begins(const Vec3& p, const ConflictZone& zone) {
 }
 
 void PaperRecorder::site_added(SiteId site) {
-  if (!out().is_full() && !del_) {
+  if (!target().is_full() && !del_) {
     show_labels(site);
-  } else if (!out().is_full()) {
+  } else if (!target().is_full()) {
     number_sites();
-    TraceEvent& event = out().event();
+    TraceEvent& event = target().event();
     event.vertex = number(site);
     std::vector<Triangle> there;
     for (const Facet f : del_->created()) there.push_back(number(f));
@@ -149,26 +149,26 @@ void PaperRecorder::mesh_ready(const paper::SurfaceMesh& t) {
 }
 
 void PaperRecorder::asks(paper::Reason reason, FaceId sigma, double value) {
-  if (out().is_full()) return;
+  if (target().is_full()) return;
   TraceEvent& event =
-      out().asks(trace_code(Operation::surface_point), codes_of(reason).reason, value);
+      target().asks(trace_code(Operation::surface_point), codes_of(reason).reason, value);
   event.caller = number(sigma);
   const Vec3& x = mesh_->duals[sigma].x;
   event.ball = {x, distance(x, mesh_->mesh.points[mesh_->mesh.faces[sigma].v[0]])};
 }
 
 void PaperRecorder::encroaches(const Vec3& x, std::span<const FaceId> e) {
-  if (out().is_full()) return;
-  out().event().place = x;
-  for (const FaceId f : e) out().event().star.push_back(number(f));
+  if (target().is_full()) return;
+  target().event().place = x;
+  for (const FaceId f : e) target().event().star.push_back(number(f));
 }
 
 void PaperRecorder::cone_added(VertexId, std::span<const FaceId> d) {
-  if (!out().is_full()) {
-    TraceEvent& event = out().event();
+  if (!target().is_full()) {
+    TraceEvent& event = target().event();
     event.removed.swap(event.star);
-    event.vertex = out().add_vertex(event.place);
-    out().of_mesh().push_back(event.vertex);
+    event.vertex = target().add_vertex(event.place);
+    target().of_mesh().push_back(event.vertex);
     for (const FaceId f : d) event.added.push_back(number(f));
     update_worst(d.first(event.removed.size()), d);
   }

@@ -16,14 +16,14 @@ void TraceRecorder::run_begins(const Parameters& parameters, const Report& repor
 }
 
 void TraceRecorder::contour_ready(const SurfaceMesh& t) {
-  out().put_mesh(t.mesh, Routine::contour);
+  target().put_mesh(t.mesh, Routine::contour);
 }
 
 void TraceRecorder::number_mesh(const std::vector<Triangle>& facets, VertexId new_vertex,
                                 std::vector<Triangle>& out) const {
   out.clear();
   for (Triangle t : facets) {
-    for (VertexId& v : t) v = v == new_vertex ? kNoId : out().of_mesh()[v];
+    for (VertexId& v : t) v = v == new_vertex ? kNoId : target().of_mesh()[v];
     out.push_back(t);
   }
 }
@@ -38,10 +38,10 @@ void TraceRecorder::mesh_handed_over(const SurfaceMesh& s) {
 
 void TraceRecorder::tell_question(const Question& question, Operation operation) {
   TraceEvent& event =
-      out().asks(trace_code(operation), trace_code(question.reason), question.value);
+      target().asks(trace_code(operation), trace_code(question.reason), question.value);
   for (std::size_t i = 0; i < 3; ++i) {
     const VertexId v = question.corners[i];
-    if (v != kNoId) event.caller[i] = out().of_mesh()[v];
+    if (v != kNoId) event.caller[i] = target().of_mesh()[v];
   }
   const Dual& dual = question.dual;
   if (dual.on_surface) event.ball = {dual.center, std::sqrt(dual.radius2)};
@@ -98,10 +98,10 @@ std::optional<Segment> TraceRecorder::culprit(const Proposal& c, Refusal refusal
 
 void TraceRecorder::operation_tried(const Question& question, Operation operation,
                                     const Proposal& proposal, std::optional<Refusal> refusal) {
-  if (!out().follows_mesh()) return;
-  if (!out().is_full()) {
+  if (!target().follows_mesh()) return;
+  if (!target().is_full()) {
     tell_question(question, operation);
-    TraceEvent& event = out().event();
+    TraceEvent& event = target().event();
     const bool has_vertex = proposal.what != Proposal::Vertex::none;
     if (has_vertex) event.place = proposal.place;
     event.edge = refusal ? culprit(proposal, *refusal) : std::nullopt;
@@ -111,8 +111,8 @@ void TraceRecorder::operation_tried(const Question& question, Operation operatio
     } else {
       number_mesh(proposal.was.facets, kNoId, event.removed);
       if (has_vertex) {
-        event.vertex = out().add_vertex(proposal.place);
-        std::vector<VertexId>& numbers = out().of_mesh();
+        event.vertex = target().add_vertex(proposal.place);
+        std::vector<VertexId>& numbers = target().of_mesh();
         numbers.resize(std::max<std::size_t>(numbers.size(), proposal.vertex + 1));
         numbers[proposal.vertex] = event.vertex;
       }

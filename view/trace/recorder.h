@@ -34,7 +34,7 @@ class TraceRecorder : public Observer, private Recording {
   void mesh_handed_over(const SurfaceMesh& s) override;
   void operation_tried(const Question& question, Operation operation, const Proposal& proposal,
                        std::optional<Refusal> refusal) override;
-  void mesh_finished() override { out().end_mesh(); }
+  void mesh_finished() override { target().end_mesh(); }
 
  private:
   // Facets of the mesh; `new_vertex`, of a try, has no number.

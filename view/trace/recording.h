@@ -60,8 +60,7 @@ class Recording {
   void record(std::uint8_t outcome);
   void record(TraceOutcome outcome) { record(trace_code(outcome)); }
 
-  Trace& out() { return trace_; }
-  const Trace& out() const { return trace_; }
+  Trace& target() const { return trace_; }
 
  private:
   Trace& trace_;
