@@ -170,7 +170,7 @@ bool Coarsener::joined(VertexId a, VertexId b) const {
   const FaceId first = facet_[a];
   FaceId f = first;
   const auto has_b = [&](const Face& face, std::size_t i) {
-    return (face.v[kNextCorner[i]] == b) | (face.v[kPreviousCorner[i]] == b);
+    return (face.v[kNextCorner[i]] == b) || (face.v[kPreviousCorner[i]] == b);
   };
   do {
     const Face& face = faces[f];
