@@ -53,9 +53,10 @@ void add_up(const std::uint8_t* here, const std::array<Row, 4>& beside, Row& twi
       std::array{beside[0].data(), beside[1].data(), beside[2].data(), beside[3].data()};
   std::uint8_t* const to = twice_work.data();
   const std::size_t size = twice_work.size();
+  const std::uint8_t *const before = here - 1, *const after = here + 1;
   for (std::size_t i = 0; i < size; ++i) {
     const std::uint8_t s = here[i];
-    const int a = s ^ here[i - 1], b = s ^ here[i + 1], c = s ^ y0[i], d = s ^ y1[i], e = s ^ z0[i],
+    const int a = s ^ before[i], b = s ^ after[i], c = s ^ y0[i], d = s ^ y1[i], e = s ^ z0[i],
               f = s ^ z1[i];
     const int thin = (a & b) + (c & d) + (e & f);
     to[i] = static_cast<std::uint8_t>(a + b + c + d + e + f + 2 * kThinWork * thin);
