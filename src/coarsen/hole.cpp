@@ -15,7 +15,7 @@ bool Hole::fill(const Ring& ring, const FacetTest& test) {
   const int top = fill(0, last);
   if (top == kFailed) return false;
   // The edge from the last neighbor to the first: the star's own, or a new one on the boundary.
-  facets_[top].across[1] = static_cast<std::int8_t>(~last);
+  facets_[top].across[1] = static_cast<std::int16_t>(~last);
   if (is_covered_) return true;
   double distance2 = std::numeric_limits<double>::infinity();
   for (int n = 0; n < size_; ++n) {
@@ -71,15 +71,15 @@ int Hole::fill(int i, int j) {
   if (!test_->has_surface_near(facet, shape.r2)) return kFailed;
   is_covered_ |= is_over;
   const int own = size_++;
-  facets_[own].corner = {static_cast<std::int8_t>(i), static_cast<std::int8_t>(third),
-                         static_cast<std::int8_t>(j)};
+  facets_[own].corner = {static_cast<std::int16_t>(i), static_cast<std::int16_t>(third),
+                         static_cast<std::int16_t>(j)};
   const int left = fill(i, third);
   if (left == kFailed) return kFailed;
   const int right = fill(third, j);
   if (right == kFailed) return kFailed;
-  facets_[own].across = {static_cast<std::int8_t>(right), 0, static_cast<std::int8_t>(left)};
-  if (left >= 0) facets_[left].across[1] = static_cast<std::int8_t>(own);
-  if (right >= 0) facets_[right].across[1] = static_cast<std::int8_t>(own);
+  facets_[own].across = {static_cast<std::int16_t>(right), 0, static_cast<std::int16_t>(left)};
+  if (left >= 0) facets_[left].across[1] = static_cast<std::int16_t>(own);
+  if (right >= 0) facets_[right].across[1] = static_cast<std::int16_t>(own);
   return own;
 }
 

@@ -14,10 +14,10 @@ namespace deliso {
 class Hole {
  public:
   struct Facet {
-    std::array<std::int8_t, 3> corner;  // numbers in the ring
+    std::array<std::int16_t, 3> corner;  // numbers in the ring
     // What is across from each corner: n >= 0: facet n of the filling; otherwise the ring's edge
     // ~n, from neighbor ~n to the next.
-    std::array<std::int8_t, 3> across;
+    std::array<std::int16_t, 3> across;
   };
 
   // Fills the hole. False if a facet turns over, is no better than the limits of `test` and the
