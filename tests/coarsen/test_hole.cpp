@@ -73,7 +73,7 @@ TEST_CASE("a hole in a plane is filled by its Delaunay triangulation") {
     REQUIRE(hole.size() == 2);
     for (int n = 0; n < hole.size(); ++n) {
       int near = 0;
-      for (const std::int8_t corner : hole.facet(n).corner) near += ring.point[corner].x == 5;
+      for (const std::int16_t corner : hole.facet(n).corner) near += ring.point[corner].x == 5;
       CHECK(near == 2);
     }
     std::rotate(kite.begin(), kite.begin() + 1, kite.end());
