@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "base/vec3.h"
 
@@ -82,6 +83,17 @@ inline unsigned box_faces_at(const Vec3& p, const Box3& box, double tolerance = 
     if (std::fabs(p[axis] - box.hi[axis]) <= tolerance) faces |= 2u << (2 * axis);
   }
   return faces;
+}
+
+// Returns p moved into each of `faces`; nothing if two of them are opposite. Seen from such a
+// point, a surface that ends in these faces bounds the volume that it bounds together with them.
+inline std::optional<Vec3> moved_into_faces(Vec3 p, unsigned faces, const Box3& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const unsigned ends = faces >> (2 * axis) & 3;
+    if (ends == 3) return std::nullopt;
+    if (ends != 0) p[axis] = (ends == 1 ? box.lo : box.hi)[axis];
+  }
+  return p;
 }
 
 // Returns the sum of the box's inward normals over `faces`.

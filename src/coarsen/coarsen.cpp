@@ -27,11 +27,9 @@ void keep_near(const EmbeddingFaults& faults, const TriMesh& mesh, const MeshCom
                const TriMesh& before, const Volume& volume, std::vector<std::uint8_t>& kept) {
   constexpr double kMarginVoxels = 0.1;
   const Vec3 margin = kMarginVoxels * volume.spacing();
-  const Index3 n = volume.voxels();
-  const auto number = [&](Index3 at) {
-    return static_cast<std::size_t>(at.i) + std::size_t(n.i) * (at.j + std::size_t(n.j) * at.k);
-  };
-  std::vector<std::uint8_t> is_marked(faults.facets.empty() ? 0 : number({0, 0, n.k}));
+  const auto number = [&](Index3 at) { return voxel_number(volume.dims(), at); };
+  std::vector<std::uint8_t> is_marked(faults.facets.empty() ? 0
+                                                            : number({0, 0, volume.voxels().k}));
   for (const FaceId f : faults.facets) {
     const Triangle& t = mesh.faces[f].v;
     const Box3 box = box_of(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
@@ -46,8 +44,8 @@ void keep_near(const EmbeddingFaults& faults, const TriMesh& mesh, const MeshCom
   for (const std::uint32_t c : faults.components) is_faulty[c] = 1;
   for (VertexId v = 0; v < kept.size(); ++v) {
     if (components.of[v] != kNoId) kept[v.number()] |= is_faulty[components.of[v]];
-    if (!is_marked.empty())
-      kept[v.number()] |= is_marked[number(volume.voxel_at(before.points[v]))];
+    if (is_marked.empty()) continue;
+    kept[v.number()] |= is_marked[number(volume.voxel_at(before.points[v]))];
   }
 }
 

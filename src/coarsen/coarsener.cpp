@@ -154,7 +154,7 @@ void Coarsener::replace_star(VertexId v) {
       if (facet.across[s] >= 0 || out == kNoId) continue;
       const VertexId from = ring_.vertex[facet.corner[kNextCorner[s]]];
       Face& outside = faces[out];
-      const std::size_t at = place_of(outside, from);
+      const int at = corner_index(outside, from);
       outside.n[kNextCorner[at]] = ring_.star[n];
     }
   }
@@ -169,19 +169,19 @@ bool Coarsener::joined(VertexId a, VertexId b) const {
   const auto& faces = mesh_.faces;
   const FaceId first = facet_[a];
   FaceId f = first;
-  const auto has_b = [&](const Face& face, std::size_t i) {
+  const auto has_b = [&](const Face& face, int i) {
     return (face.v[kNextCorner[i]] == b) || (face.v[kPreviousCorner[i]] == b);
   };
   do {
     const Face& face = faces[f];
-    const std::size_t i = place_of(face, a);
+    const int i = corner_index(face, a);
     if (has_b(face, i)) return true;
     f = face.n[kNextCorner[i]];
   } while (f != first && f != kNoId);
   if (f == first) return false;
   for (f = first; f != kNoId;) {  // the other way, from the boundary
     const Face& face = faces[f];
-    const std::size_t i = place_of(face, a);
+    const int i = corner_index(face, a);
     if (has_b(face, i)) return true;
     f = face.n[kPreviousCorner[i]];
   }
@@ -190,7 +190,7 @@ bool Coarsener::joined(VertexId a, VertexId b) const {
 
 bool Coarsener::joins_on_box(VertexId a, VertexId b) const {
   return chain_.is_boundary(a) && chain_.is_boundary(b) &&
-         (box_faces_at(mesh_.points[a], box_) & box_faces_at(mesh_.points[b], box_)) != 0;
+         on_one_face(mesh_.points[a], mesh_.points[b], box_);
 }
 
 void Coarsener::move_vertices() {
@@ -262,9 +262,10 @@ bool Coarsener::flip(FaceId f, int i) {
     return false;
   }
   const FaceId ab = faces[f].n[(i + 2) % 3], ca = faces[f].n[(i + 1) % 3];
-  const FaceId bd = faces[g].n[place_of(faces[g], c)], dc = faces[g].n[place_of(faces[g], b)];
+  const FaceId bd = faces[g].n[corner_index(faces[g], c)],
+               dc = faces[g].n[corner_index(faces[g], b)];
   const auto link = [&](FaceId out, VertexId from, FaceId to) {
-    if (out != kNoId) faces[out].n[kNextCorner[place_of(faces[out], from)]] = to;
+    if (out != kNoId) faces[out].n[kNextCorner[corner_index(faces[out], from)]] = to;
   };
   faces[f] = {{a, b, d}, {bd, g, ab}};
   faces[g] = {{d, c, a}, {ca, f, dc}};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "base/disjoint_sets.h"
 #include "base/triangle.h"
@@ -235,13 +236,7 @@ MeshComponents::MeshComponents(const TriMesh& mesh, const BoundaryChain& chain, 
     }
   }
   for (std::size_t c = 0; c < origin.size(); ++c) {
-    for (int axis = 0; axis < 3 && origin[c]; ++axis) {
-      const unsigned ends = met[c] >> (2 * axis) & 3;
-      if (ends == 1) (*origin[c])[axis] = box.lo[axis];
-      if (ends == 2) (*origin[c])[axis] = box.hi[axis];
-      if (ends == 3) origin[c].reset();
-    }
-    if (is_frozen[c]) origin[c].reset();
+    origin[c] = is_frozen[c] ? std::nullopt : moved_into_faces(*origin[c], met[c], box);
   }
   bounded = volumes(mesh);
 }

@@ -35,12 +35,14 @@ double Hole::worst_of_star() const {
   return worst2;
 }
 
-// Unless the vertex is over the facet and too far from it along the star's normal.
-bool Hole::covers(int i, int k, int j, const FacetTest::Facet& facet, bool& is_over) const {
+bool Hole::is_over(int i, int k, int j) const {
   const Ring& r = *ring_;
-  is_over = r.x[i] * r.y[k] - r.y[i] * r.x[k] >= 0 && r.x[k] * r.y[j] - r.y[k] * r.x[j] >= 0 &&
-            r.x[j] * r.y[i] - r.y[j] * r.x[i] >= 0;
-  if (!is_over) return true;
+  return r.x[i] * r.y[k] - r.y[i] * r.x[k] >= 0 && r.x[k] * r.y[j] - r.y[k] * r.x[j] >= 0 &&
+         r.x[j] * r.y[i] - r.y[j] * r.x[i] >= 0;
+}
+
+bool Hole::is_near(const FacetTest::Facet& facet) const {
+  const Ring& r = *ring_;
   const double height = dot(facet.normal, r.center - facet.from);
   const double cosine = dot(facet.normal, r.normal);
   return height * height * r.normal2 <= test_->bound * test_->bound * cosine * cosine;
@@ -66,10 +68,10 @@ int Hole::fill(int i, int j) {
     if (worst2_ < 0) worst2_ = worst_of_star();
     if (!shape.is_within(worst2_)) return kFailed;
   }
-  bool is_over = false;
-  if (!covers(i, third, j, facet, is_over)) return kFailed;
+  const bool covers = is_over(i, third, j);
+  if (covers && !is_near(facet)) return kFailed;
   if (!test_->has_surface_near(facet, shape.r2)) return kFailed;
-  is_covered_ |= is_over;
+  is_covered_ |= covers;
   const int own = size_++;
   facets_[own].corner = {static_cast<std::int16_t>(i), static_cast<std::int16_t>(third),
                          static_cast<std::int16_t>(j)};

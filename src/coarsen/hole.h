@@ -34,7 +34,10 @@ class Hole {
   static constexpr int kFailed = 127;
   int fill(int i, int j);
   double worst_of_star() const;
-  bool covers(int i, int k, int j, const FacetTest::Facet& facet, bool& is_over) const;
+  // True if the vertex lies over the facet of neighbors i, k and j, seen along the star's normal.
+  bool is_over(int i, int k, int j) const;
+  // True if the vertex is within the bound of the facet's plane, along the star's normal.
+  bool is_near(const FacetTest::Facet& facet) const;
 
   const Ring* ring_ = nullptr;
   const FacetTest* test_ = nullptr;

@@ -11,7 +11,7 @@ bool Ring::walk(const TriMesh& mesh, FaceId first, VertexId v, bool is_boundary)
   if (is_boundary) {
     for (FaceId f = first; f != kNoId;) {
       first = f;
-      f = faces[f].n[kPreviousCorner[place_of(faces[f], v)]];
+      f = faces[f].n[kPreviousCorner[corner_index(faces[f], v)]];
     }
   }
   size = facets = 0;
@@ -19,7 +19,7 @@ bool Ring::walk(const TriMesh& mesh, FaceId first, VertexId v, bool is_boundary)
   for (FaceId f = first;;) {
     if (size + 1 >= kMost) return false;
     const Face& face = faces[f];
-    const std::size_t i = place_of(face, v);
+    const int i = corner_index(face, v);
     star[facets++] = f;
     outer[size] = face.n[i];
     vertex[size] = face.v[kNextCorner[i]];

@@ -10,12 +10,7 @@
 
 namespace deliso {
 
-inline constexpr std::array<std::size_t, 3> kNextCorner{1, 2, 0}, kPreviousCorner{2, 0, 1};
-
-// Returns the place of corner v of the facet. As corner_index(), without branches.
-inline std::size_t place_of(const Face& face, VertexId v) {
-  return static_cast<std::size_t>(face.v[1] == v) | static_cast<std::size_t>(face.v[2] == v) << 1;
-}
+inline constexpr std::array<int, 3> kNextCorner{1, 2, 0}, kPreviousCorner{2, 0, 1};
 
 struct Ring {
   static constexpr int kMost = 16;  // vertices

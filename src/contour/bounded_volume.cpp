@@ -5,19 +5,14 @@ namespace deliso {
 
 std::vector<std::optional<Vec3>> component_origins(const ContourMesh& contour, const Box3& box) {
   const std::size_t count = contour.summary.components.size();
-  std::vector<int> faces(count, 0);
+  std::vector<unsigned> faces(count, 0);
   std::vector<std::optional<Vec3>> origins(count);
   for (VertexId v = 0; v < contour.points.size(); ++v) {
     faces[contour.component[v]] |= contour.box_faces[v];
     origins[contour.component[v]] = contour.points[v];  // a near point, for accuracy
   }
   for (std::size_t c = 0; c < count; ++c) {
-    for (int axis = 0; axis < 3 && origins[c]; ++axis) {
-      const int met = faces[c] >> (2 * axis) & 3;
-      if (met == 1) (*origins[c])[axis] = box.lo[axis];
-      if (met == 2) (*origins[c])[axis] = box.hi[axis];
-      if (met == 3) origins[c].reset();
-    }
+    if (origins[c]) origins[c] = moved_into_faces(*origins[c], faces[c], box);
   }
   return origins;
 }

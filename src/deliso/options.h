@@ -31,8 +31,8 @@ struct Options : RunSettings {
 
   // About how many voxels a block has along each axis; 0: the volume is one block. So it is for an
   // observer of insertions.
-  static constexpr int kUsualSide =
-      -1;  // the samples decide, or usual_block_side() of blocks/grid.h
+  // kUsualSide: the samples decide, or usual_block_side() of blocks/grid.h.
+  static constexpr int kUsualSide = -1;
   int block_side = kUsualSide;
 
   bool stop_after_stage1 = false;  // the mesh is the coarsened contour

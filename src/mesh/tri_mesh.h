@@ -58,9 +58,10 @@ inline int neighbor_index(const Face& f, FaceId g) {
   return f.n[0] == g ? 0 : f.n[1] == g ? 1 : 2;
 }
 
-// Returns the index of the corner v of f. pre: v is a corner of f.
+// Returns the index of the corner v of f. pre: v is a corner of f. Without branches: walks around
+// vertices call this for each facet.
 inline int corner_index(const Face& f, VertexId v) {
-  return f.v[0] == v ? 0 : f.v[1] == v ? 1 : 2;
+  return static_cast<int>(f.v[1] == v) | static_cast<int>(f.v[2] == v) << 1;
 }
 
 inline bool has_corner(const Triangle& t, VertexId v) {

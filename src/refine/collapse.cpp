@@ -30,8 +30,7 @@ bool may_remove(const Refinement& r, VertexId v) {
 bool joins_on_box(const Refinement& r, VertexId v, VertexId w) {
   const BoundaryChain& chain = r.s.chain;
   if (!chain.is_boundary(v) || !chain.is_boundary(w) || chain.is_edge(v, w)) return false;
-  const Box3 box = r.surface.volume().box();
-  return (box_faces_at(r.point(v), box) & box_faces_at(r.point(w), box)) != 0;
+  return on_one_face(r.point(v), r.point(w), r.surface.volume().box());
 }
 
 std::optional<Refusal> propose_merge(Refinement& r, FaceId f, VertexId from, VertexId to,

@@ -159,14 +159,10 @@ bool Refinement::reverses(Proposal& c) {
   }
   // The origin is in all faces of the box that the component meets. From there its open sides have
   // no volume.
-  Vec3 origin = point(c.in.facets[0][0]);
-  for (int axis = 0; axis < 3; ++axis) {
-    const unsigned ends = met >> (2 * axis) & 3;
-    if (ends == 3) return false;
-    if (ends != 0) origin[axis] = (ends == 1 ? box.lo : box.hi)[axis];
-  }
+  const std::optional<Vec3> origin = moved_into_faces(point(c.in.facets[0][0]), met, box);
+  if (!origin) return false;
   const auto volume = [&](const Triangle& v, auto&& at) {
-    return dot(at(v[0]) - origin, cross(at(v[1]) - origin, at(v[2]) - origin));
+    return dot(at(v[0]) - *origin, cross(at(v[1]) - *origin, at(v[2]) - *origin));
   };
   const auto now = [&](VertexId v) { return point(v); };
   const auto was = [&](VertexId v) { return point_before(c, v); };
