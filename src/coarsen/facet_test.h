@@ -57,12 +57,11 @@ struct FacetTest {
 
   bool has_surface_near(const Facet& f, double r2) const {
     if (r2 <= r_min2) return true;
-    const Vec3 center =
-        f.from + (f.u2 * cross(f.v, f.normal) + f.v2 * cross(f.normal, f.u)) / (2 * f.normal2);
-    const Vec3 step = bound / std::sqrt(f.normal2) * f.normal;
-    const Vec3 ball = kBall * std::sqrt(r2 / f.normal2) * f.normal;
-    return g(center - step) >= 0 && g(center + step) < 0 && g(center - ball) >= 0 &&
-           g(center + ball) < 0;
+    const double uv = dot(f.u, f.v), half = 0.5 / f.normal2;
+    const Vec3 center = f.from + half * f.v2 * (f.u2 - uv) * f.u + half * f.u2 * (f.v2 - uv) * f.v;
+    const double step = bound / std::sqrt(f.normal2), ball = kBall * std::sqrt(r2 / f.normal2);
+    const auto values = g.on_line(center, f.normal, {-step, step, -ball, ball});
+    return values[0] >= 0 && values[1] < 0 && values[2] >= 0 && values[3] < 0;
   }
 
   // True if the facet faces along, has an r/l within the limit or `worst2`, and Sigma near.

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The trilinear interpolant less kappa, for many evaluations at places near each other: no division
-// and no choice by the sample type in each. Signs may differ from those of Volume::value() within
-// rounding.
+// The trilinear interpolant less kappa, at four points of a line: no division and no choice by the
+// sample type at each, and the compiler computes places side by side. Signs may differ from those
+// of Volume::value() within rounding.
 #pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "volume/volume.h"
 
@@ -10,50 +14,61 @@ namespace deliso {
 
 class Interpolant {
  public:
+  using Four = std::array<double, 4>;
+
   // Keeps a pointer to the samples.
   Interpolant(const Volume& volume, double kappa)
-      : kappa_(kappa),
-        per_spacing_{1 / volume.spacing().x, 1 / volume.spacing().y, 1 / volume.spacing().z},
-        first_(to_vec3(volume.first())),
-        end_(to_vec3(volume.voxels())),
-        last_(volume.voxels() + Index3{-1, -1, -1}),
-        dy_(volume.dims().i),
-        dz_(dy_ * volume.dims().j) {
+      : kappa_(kappa), dy_(volume.dims().i), dz_(dy_ * volume.dims().j) {
+    for (int axis = 0; axis < 3; ++axis) {
+      per_spacing_[axis] = 1 / volume.spacing()[axis];
+      lo_[axis] = volume.first()[axis];
+      hi_[axis] = std::nextafter(lo_[axis] + volume.voxels()[axis], lo_[axis]);
+    }
     volume.visit([&]<class Sample>(const Sample* samples) {
       samples_ = samples;
-      value_ = &value<Sample>;
+      on_line_ = &on_line<Sample>;
     });
   }
 
-  // Returns g(p) - kappa. Points outside the box are clamped to it.
-  double operator()(const Vec3& p) const { return value_(*this, p); }
+  // Returns g - kappa at the points from + t * along. Points outside the box are clamped to it.
+  Four on_line(const Vec3& from, const Vec3& along, const Four& t) const {
+    return on_line_(*this, from, along, t);
+  }
 
  private:
   template <class Sample>
-  static double value(const Interpolant& g, const Vec3& p) {
-    Vec3 u;
-    Index3 at;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double x = p[axis] * g.per_spacing_[axis] - g.first_[axis];
-      u[axis] = x < 0 ? 0 : x > g.end_[axis] ? g.end_[axis] : x;
-      at[axis] = static_cast<int>(u[axis]);
-      at[axis] = at[axis] > g.last_[axis] ? g.last_[axis] : at[axis];
-      u[axis] -= at[axis];
+  static Four on_line(const Interpolant& g, const Vec3& from, const Vec3& along, const Four& t) {
+    std::array<std::array<int, 4>, 3> voxel;
+    std::array<Four, 3> place;  // in the voxel
+    const auto locate = [&](int axis) {
+      const double start = from[axis], direction = along[axis], scale = g.per_spacing_[axis];
+      const double lo = g.lo_[axis], hi = g.hi_[axis];
+      for (int n = 0; n < 4; ++n) {
+        const double x = std::clamp((start + t[n] * direction) * scale, lo, hi) - lo;
+        voxel[axis][n] = static_cast<int>(x);
+        place[axis][n] = x - voxel[axis][n];
+      }
+    };
+    locate(0), locate(1), locate(2);
+    Four values;
+    for (int n = 0; n < 4; ++n) {
+      const std::size_t first = voxel[0][n] + g.dy_ * voxel[1][n] + g.dz_ * voxel[2][n];
+      const Corners c =
+          corners_from(static_cast<const Sample*>(g.samples_) + first, g.dy_, g.dz_, 0);
+      const double x = place[0][n], y = place[1][n], z = place[2][n];
+      const double c00 = c[0] + x * (c[1] - c[0]), c10 = c[2] + x * (c[3] - c[2]);
+      const double c01 = c[4] + x * (c[5] - c[4]), c11 = c[6] + x * (c[7] - c[6]);
+      const double c0 = c00 + y * (c10 - c00), c1 = c01 + y * (c11 - c01);
+      values[n] = c0 + z * (c1 - c0) - g.kappa_;
     }
-    const std::size_t n = at.i + g.dy_ * at.j + g.dz_ * at.k;
-    const Corners c = corners_from(static_cast<const Sample*>(g.samples_) + n, g.dy_, g.dz_, 0);
-    const double c00 = c[0] + u.x * (c[1] - c[0]), c10 = c[2] + u.x * (c[3] - c[2]);
-    const double c01 = c[4] + u.x * (c[5] - c[4]), c11 = c[6] + u.x * (c[7] - c[6]);
-    const double c0 = c00 + u.y * (c10 - c00), c1 = c01 + u.y * (c11 - c01);
-    return c0 + u.z * (c1 - c0) - g.kappa_;
+    return values;
   }
 
   double kappa_;
-  Vec3 per_spacing_, first_, end_;
-  Index3 last_;
+  Vec3 per_spacing_, lo_, hi_;  // lo_, hi_: of the box, in voxels; hi_ lies in the last voxel
   std::size_t dy_, dz_;
   const void* samples_ = nullptr;
-  double (*value_)(const Interpolant&, const Vec3&) = nullptr;
+  Four (*on_line_)(const Interpolant&, const Vec3&, const Vec3&, const Four&) = nullptr;
 };
 
 }  // namespace deliso
