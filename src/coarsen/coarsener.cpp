@@ -40,12 +40,17 @@ Coarsener::Coarsener(SurfaceMesh& s, const Isosurface& surface, const BoundaryCu
       finder_(surface),
       searches_(searches),
       facet_(mesh_.points.size(), kNoId),
-      is_active_(mesh_.points.size(), 0) {
+      is_active_(mesh_.points.size(), 0),
+      waits_(mesh_.points.size(), 0),
+      refused_(mesh_.points.size(), {kNoId, kNoId, kNoId}) {
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_dead(mesh_.faces[f])) continue;
     for (const VertexId v : mesh_.faces[f].v) facet_[v] = f;
   }
-  for (const VertexId v : scope.first) is_active_[v] = kept_[v] == 0;
+  for (const VertexId v : scope.first) {
+    is_active_[v] = kept_[v] == 0 && facet_[v] != kNoId;
+    wake(v, v);
+  }
 }
 
 void Coarsener::run() {
@@ -57,31 +62,28 @@ void Coarsener::run() {
   }
 }
 
-// Passes over the vertices. A vertex whose star changed in a pass is tried in the next one, so
-// removals spread over the mesh.
+// Passes over the vertices that wait. A vertex whose star changed in a pass is tried in the next
+// one, so removals spread over the mesh.
 void Coarsener::remove_vertices() {
-  IdArray<VertexId, std::uint8_t> waits = is_active_;
   IdArray<VertexId, std::int8_t> changed_in(mesh_.points.size(), -1);
-  std::vector<VertexId> todo;
   std::size_t left = 0;
   for (std::int8_t pass = 0; pass < kMostPasses; ++pass) {
-    todo.clear();
-    for (VertexId v = 0; v < waits.size(); ++v) {
-      if (std::exchange(waits[v], 0) != 0 && facet_[v] != kNoId) todo.push_back(v);
-    }
+    const std::vector<VertexId> todo = std::exchange(waiting_, {});
     left = std::max(left, todo.size());
     std::size_t removed = 0;
     for (const VertexId v : todo) {
       if (changed_in[v] == pass) {
-        waits[v] = 1;
+        waiting_.push_back(v);
         continue;
       }
+      waits_[v] = 0;
       if (!remove(v)) continue;
       ++removed;
       for (int k = 0; k < ring_.size; ++k) {
         const VertexId w = ring_.vertex[k];
         changed_in[w] = pass;
-        waits[w] = is_active_[w] = kept_[w] == 0;
+        is_active_[w] = kept_[w] == 0;
+        wake(w, v);
       }
     }
     left -= removed;
@@ -89,6 +91,14 @@ void Coarsener::remove_vertices() {
       return;
     }
   }
+}
+
+void Coarsener::wake(VertexId v, VertexId changed) {
+  Triangle& refused = refused_[v];
+  if (refused[0] != kNoId && !has_corner(refused, changed)) return;
+  refused[0] = kNoId;
+  if (is_active_[v] == 0 || std::exchange(waits_[v], 1) != 0) return;
+  waiting_.push_back(v);
 }
 
 bool Coarsener::walk(VertexId v) {
@@ -101,7 +111,11 @@ bool Coarsener::remove(VertexId v) {
   if (chain_.is_boundary(v) && !may_leave_boundary(v)) return false;
   if (!walk(v) || ring_.size < 3) return false;
   ring_.project();
-  if (!hole_.fill(ring_, test_) || !keeps_link()) return false;
+  if (!hole_.fill(ring_, test_)) {
+    for (std::size_t s = 0; s < 3; ++s) refused_[v][s] = ring_.vertex[hole_.tried()[s]];
+    return false;
+  }
+  if (!keeps_link()) return false;
   replace_star(v);
   return true;
 }
@@ -120,14 +134,10 @@ bool Coarsener::may_leave_boundary(VertexId v) const {
 
 // True if no new edge is in the mesh already, or would lie in a face of the box.
 bool Coarsener::keeps_link() const {
-  for (int n = 0; n < hole_.size(); ++n) {
-    const Hole::Facet& facet = hole_.facet(n);
-    for (std::size_t s = 0; s < 3; ++s) {
-      if (facet.across[s] <= n) continue;  // of the ring, or asked before
-      const VertexId a = ring_.vertex[facet.corner[kNextCorner[s]]];
-      const VertexId b = ring_.vertex[facet.corner[kPreviousCorner[s]]];
-      if (joins_on_box(a, b) || joined(a, b)) return false;
-    }
+  for (int n = 1; n < hole_.size(); ++n) {  // each facet after the first brings one edge
+    const auto& corner = hole_.facet(n).corner;
+    const VertexId a = ring_.vertex[corner[0]], b = ring_.vertex[corner[2]];
+    if (joins_on_box(a, b) || joined(a, b)) return false;
   }
   // A tetrahedron: the one new facet is there already.
   return !(ring_.is_closed && hole_.size() == 1 && ring_.outer[0] == ring_.outer[1]);
@@ -135,6 +145,7 @@ bool Coarsener::keeps_link() const {
 
 void Coarsener::replace_star(VertexId v) {
   IdArray<FaceId, Face>& faces = mesh_.faces;
+  std::array<FaceId, Ring::kMost> inside;  // the new facets at the ring's edges
   for (int n = 0; n < hole_.size(); ++n) {
     const Hole::Facet& facet = hole_.facet(n);
     Face& face = faces[ring_.star[n]];
@@ -144,19 +155,13 @@ void Coarsener::replace_star(VertexId v) {
       facet_[face.v[s]] = ring_.star[n];
       const int across = facet.across[s];
       face.n[s] = across >= 0 ? ring_.star[across] : ring_.outer[~across];
+      if (across < 0) inside[~across] = ring_.star[n];
     }
   }
-  // The facets outside, by corners, as ids of the star are used again.
-  for (int n = 0; n < hole_.size(); ++n) {
-    const Hole::Facet& facet = hole_.facet(n);
-    for (std::size_t s = 0; s < 3; ++s) {
-      const FaceId out = faces[ring_.star[n]].n[s];
-      if (facet.across[s] >= 0 || out == kNoId) continue;
-      const VertexId from = ring_.vertex[facet.corner[kNextCorner[s]]];
-      Face& outside = faces[out];
-      const int at = corner_index(outside, from);
-      outside.n[kNextCorner[at]] = ring_.star[n];
-    }
+  for (int k = 0; k < ring_.facets; ++k) {
+    if (ring_.outer[k] == kNoId) continue;
+    Face& outside = faces[ring_.outer[k]];
+    outside.n[kNextCorner[corner_index(outside, ring_.vertex[k])]] = inside[k];
   }
   for (int k = hole_.size(); k < ring_.facets; ++k) {
     faces[ring_.star[k]] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
@@ -227,6 +232,9 @@ bool Coarsener::move(VertexId v) {
     }
   }
   mesh_.points[v] = *foot;
+  refused_[v][0] = kNoId;
+  wake(v, v);
+  for (int k = 0; k < ring_.size; ++k) wake(ring_.vertex[k], v);
   for (int k = 0; k < ring_.facets; ++k) changed_[ring_.star[k].number()] = 1;
   return true;
 }
@@ -274,6 +282,8 @@ bool Coarsener::flip(FaceId f, int i) {
   changed_[f.number()] = changed_[g.number()] = 1;
   facet_[a] = facet_[b] = facet_[d] = f;
   facet_[c] = g;
+  wake(b, c);
+  wake(c, b);
   return true;
 }
 

@@ -15,7 +15,7 @@ bool Hole::fill(const Ring& ring, const FacetTest& test) {
   const int top = fill(0, last);
   if (top == kFailed) return false;
   // The edge from the last neighbor to the first: the star's own, or a new one on the boundary.
-  facets_[top].across[1] = static_cast<std::int16_t>(~last);
+  facets_[top].across[1] = ~last;
   if (is_covered_) return true;
   double distance2 = std::numeric_limits<double>::infinity();
   for (int n = 0; n < size_; ++n) {
@@ -52,36 +52,37 @@ int Hole::fill(int i, int j) {
   if (j - i == 1) return ~i;
   const Ring& r = *ring_;
   int third = -1;
-  double cotangent = std::numeric_limits<double>::infinity();
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  double cotangent = kNone;
   for (int k = i + 1; k < j; ++k) {
     const double ux = r.x[i] - r.x[k], uy = r.y[i] - r.y[k];
     const double wx = r.x[j] - r.x[k], wy = r.y[j] - r.y[k];
     const double area = wx * uy - wy * ux;
-    if (!(area > 0)) continue;
-    const double at_k = (ux * wx + uy * wy) / area;
-    if (at_k < cotangent) cotangent = at_k, third = k;
+    const double at_k = area > 0 ? (ux * wx + uy * wy) / area : kNone;
+    third = at_k < cotangent ? k : third;  // two choices without branches
+    cotangent = std::min(cotangent, at_k);
   }
+  tried_ = {i, third < 0 ? i : third, j};
   if (third < 0) return kFailed;
   const FacetTest::Facet facet(r.point[i], r.point[third], r.point[j]);
+  const bool covers = is_over(i, third, j);
+  if (covers && !is_near(facet)) return kFailed;
   const FacetTest::Shape shape = facet.shape();
   if (!shape.is_within(test_->ratio2)) {
     if (worst2_ < 0) worst2_ = worst_of_star();
     if (!shape.is_within(worst2_)) return kFailed;
   }
-  const bool covers = is_over(i, third, j);
-  if (covers && !is_near(facet)) return kFailed;
   if (!test_->has_surface_near(facet, shape.r2)) return kFailed;
   is_covered_ |= covers;
   const int own = size_++;
-  facets_[own].corner = {static_cast<std::int16_t>(i), static_cast<std::int16_t>(third),
-                         static_cast<std::int16_t>(j)};
+  facets_[own].corner = tried_;
   const int left = fill(i, third);
   if (left == kFailed) return kFailed;
   const int right = fill(third, j);
   if (right == kFailed) return kFailed;
-  facets_[own].across = {static_cast<std::int16_t>(right), 0, static_cast<std::int16_t>(left)};
-  if (left >= 0) facets_[left].across[1] = static_cast<std::int16_t>(own);
-  if (right >= 0) facets_[right].across[1] = static_cast<std::int16_t>(own);
+  facets_[own].across = {right, 0, left};
+  if (left >= 0) facets_[left].across[1] = own;
+  if (right >= 0) facets_[right].across[1] = own;
   return own;
 }
 

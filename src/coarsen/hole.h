@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 
 #include "coarsen/facet_test.h"
 #include "coarsen/ring.h"
@@ -14,10 +13,10 @@ namespace deliso {
 class Hole {
  public:
   struct Facet {
-    std::array<std::int16_t, 3> corner;  // numbers in the ring
+    std::array<int, 3> corner;  // numbers in the ring
     // What is across from each corner: n >= 0: facet n of the filling; otherwise the ring's edge
     // ~n, from neighbor ~n to the next.
-    std::array<std::int16_t, 3> across;
+    std::array<int, 3> across;
   };
 
   // Fills the hole. False if a facet turns over, is no better than the limits of `test` and the
@@ -27,6 +26,9 @@ class Hole {
 
   int size() const { return size_; }  // facets
   const Facet& facet(int n) const { return facets_[n]; }
+  // The corners of the facet that was tried last: where the filling failed, it was refused. Two of
+  // them are the same where there was none to try.
+  const std::array<int, 3>& tried() const { return tried_; }
 
  private:
   // Fills the part between neighbors i and j. Returns what lies across from the edge that joins
@@ -42,6 +44,7 @@ class Hole {
   const Ring* ring_ = nullptr;
   const FacetTest* test_ = nullptr;
   std::array<Facet, Ring::kMost> facets_;
+  std::array<int, 3> tried_{};
   int size_ = 0;
   bool is_covered_ = false;  // a facet is over the vertex
   double worst2_ = -1;       // of the star's (r/l)^2; negative: not known yet

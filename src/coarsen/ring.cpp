@@ -14,47 +14,48 @@ bool Ring::walk(const TriMesh& mesh, FaceId first, VertexId v, bool is_boundary)
       f = faces[f].n[kPreviousCorner[corner_index(faces[f], v)]];
     }
   }
-  size = facets = 0;
   center = mesh.points[v];
-  for (FaceId f = first;;) {
-    if (size + 1 >= kMost) return false;
+  int n = 0;
+  FaceId f = first;
+  do {
+    if (n + 1 >= kMost) return false;
     const Face& face = faces[f];
     const int i = corner_index(face, v);
-    star[facets++] = f;
-    outer[size] = face.n[i];
-    vertex[size] = face.v[kNextCorner[i]];
-    point[size] = mesh.points[vertex[size]];
-    ++size;
+    star[n] = f;
+    outer[n] = face.n[i];
+    vertex[n] = face.v[kNextCorner[i]];
+    point[n] = mesh.points[vertex[n]];
+    ++n;
     f = face.n[kNextCorner[i]];
-    if (f == first) break;
-    if (f != kNoId) continue;
+  } while (f != first && f != kNoId);
+  facets = size = n;
+  if (f == kNoId) {
     if (is_closed) return false;
-    outer[size] = kNoId;
-    vertex[size] = face.v[kPreviousCorner[i]];
-    point[size] = mesh.points[vertex[size]];
-    ++size;
-    break;
+    const Face& face = faces[star[n - 1]];
+    outer[n] = kNoId;
+    vertex[n] = face.v[kPreviousCorner[corner_index(face, v)]];
+    point[n] = mesh.points[vertex[n]];
+    size = n + 1;
   }
   // Each cross product from the sides at the vertex, which two facets share.
-  normal = {};
-  Vec3 last = point[0] - center;
+  const Vec3 side = point[0] - center;
+  Vec3 sum, last = side;
   for (int k = 1; k < size; ++k) {
     const Vec3 next = point[k] - center;
-    normal = normal + cross(last, next);
+    sum = sum + cross(last, next);
     last = next;
   }
-  if (is_closed) normal = normal + cross(last, point[0] - center);
+  normal = is_closed ? sum + cross(last, side) : sum;
   normal2 = length2(normal);
   return normal2 > 0;
 }
 
 void Ring::project() {
-  // Two directions in the plane.
-  const double nx = std::fabs(normal.x), ny = std::fabs(normal.y), nz = std::fabs(normal.z);
-  const Vec3 u = nx <= ny && nx <= nz ? Vec3{0, normal.z, -normal.y}
-                 : ny <= nz           ? Vec3{-normal.z, 0, normal.x}
-                                      : Vec3{normal.y, -normal.x, 0};
-  const Vec3 w = cross(normal, u) / std::sqrt(normal2);
+  // Two directions in the plane, without branches (Duff et al. 2017).
+  const Vec3 n = normal / std::sqrt(normal2);
+  const double sign = std::copysign(1.0, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
+  const Vec3 u{1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
+  const Vec3 w{b, sign + n.y * n.y * a, -n.y};
   for (int k = 0; k < size; ++k) {
     x[k] = dot(point[k] - center, u);
     y[k] = dot(point[k] - center, w);

@@ -73,9 +73,19 @@ TEST_CASE("a hole in a plane is filled by its Delaunay triangulation") {
     REQUIRE(hole.size() == 2);
     for (int n = 0; n < hole.size(); ++n) {
       int near = 0;
-      for (const std::int16_t corner : hole.facet(n).corner) near += ring.point[corner].x == 5;
+      for (const int corner : hole.facet(n).corner) near += ring.point[corner].x == 5;
       CHECK(near == 2);
     }
     std::rotate(kite.begin(), kite.begin() + 1, kite.end());
   }
+}
+
+TEST_CASE("where a filling fails, the facet that was tried last is the one that was refused") {
+  // The vertex is too high over the facet of three neighbors; the fourth makes one elsewhere.
+  const std::vector<Vec3> neighbors{{8, 4, 5.5}, {8, 8, 5.5}, {4, 5, 5.5}, {5, 2, 5.5}};
+  const Ring ring = ring_of(1, neighbors);
+  Hole hole;
+  REQUIRE_FALSE(hole.fill(ring, test_with(0.1)));
+  const auto& [a, b, c] = hole.tried();
+  CHECK(distance2_to_triangle({5, 5, 5.5}, ring.point[a], ring.point[b], ring.point[c]) == 0);
 }
