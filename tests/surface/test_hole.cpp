@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Holes over a plane, where the filling is known.
-#include "coarsen/hole.h"
+#include "surface/hole.h"
 
 #include <doctest/doctest.h>
 

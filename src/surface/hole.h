@@ -6,8 +6,8 @@
 #include <array>
 #include <cstdint>
 
-#include "coarsen/facet_test.h"
-#include "coarsen/ring.h"
+#include "surface/facet_test.h"
+#include "surface/ring.h"
 
 namespace deliso {
 
