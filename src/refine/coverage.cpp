@@ -16,22 +16,11 @@ namespace {
 // Removes the samples over a facet within `limit` of its plane from `numbers`: nearly all, for a
 // fraction of what a search in the hash costs.
 //
-// Samples are listed by cells, about as large as most facets. The table of cells is periodic in
-// space. A list loses the samples that are found.
-void remove_covered(const TriMesh& mesh, std::span<const Vec3> samples, double limit,
-                    std::vector<std::uint32_t>& numbers) {
-  double extents = 0, facets = 0;
-  const auto box_of = [&](const Face& face) {
-    return deliso::box_of(mesh.points[face.v[0]], mesh.points[face.v[1]], mesh.points[face.v[2]]);
-  };
-  for (const Face& face : mesh.faces) {
-    if (is_dead(face)) continue;
-    const Vec3 size = box_of(face).size();
-    extents += std::max({size.x, size.y, size.z});
-    ++facets;
-  }
-  if (!(extents > 0)) return;
-  const double per_cell = facets / extents;
+// Samples are listed by cells as large as the hash's. The table of cells is periodic in space. A
+// list loses the samples that are found.
+void remove_covered(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
+                    double limit, std::vector<std::uint32_t>& numbers) {
+  const double per_cell = 1 / grid.cell();
   const auto cell_at = [&](const Vec3& p) {
     return Index3{static_cast<int>(per_cell * p.x), static_cast<int>(per_cell * p.y),
                   static_cast<int>(per_cell * p.z)};
@@ -50,8 +39,9 @@ void remove_covered(const TriMesh& mesh, std::span<const Vec3> samples, double l
   }
   for (const Face& face : mesh.faces) {
     if (is_dead(face)) continue;
-    const Vec3& a = mesh.points[face.v[0]];
-    const Vec3 u = mesh.points[face.v[1]] - a, v = mesh.points[face.v[2]] - a;
+    const Vec3 &a = mesh.points[face.v[0]], &b = mesh.points[face.v[1]],
+               &c = mesh.points[face.v[2]];
+    const Vec3 u = b - a, v = c - a;
     const Vec3 normal = cross(u, v), along_u = cross(v, normal), along_v = cross(normal, u);
     const double normal2 = length2(normal), height2 = limit * limit * normal2;
     const auto is_over = [&](const Vec3& p) {
@@ -59,7 +49,7 @@ void remove_covered(const TriMesh& mesh, std::span<const Vec3> samples, double l
       const double height = dot(normal, w), by_u = dot(along_u, w), by_v = dot(along_v, w);
       return height * height <= height2 && by_u >= 0 && by_v >= 0 && by_u + by_v <= normal2;
     };
-    const Box3 box = box_of(face);
+    const Box3 box = box_of(a, b, c);
     const Index3 lo = cell_at(box.lo);
     Index3 hi = cell_at(box.hi);
     for (int axis = 0; axis < 3; ++axis) hi[axis] = std::min(hi[axis], lo[axis] + kCells - 1);
@@ -109,7 +99,7 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
                                 std::vector<std::uint32_t>& numbers) {
   std::vector<FarSample> far;
   // The first time, when none was held against the mesh.
-  if (numbers.size() == samples.size()) remove_covered(mesh, samples, limit, numbers);
+  if (numbers.size() == samples.size()) remove_covered(mesh, grid, samples, limit, numbers);
   std::erase_if(numbers, [&](std::uint32_t n) {
     const FarSample at = nearest(mesh, grid, n, samples[n], limit);
     if (at.facet == kNoId) return false;
