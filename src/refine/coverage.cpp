@@ -27,7 +27,8 @@ void remove_covered(const TriMesh& mesh, const BoxGrid& grid, std::span<const Ve
   };
   constexpr int kCells = 16;  // of the table, along each axis
   constexpr std::uint32_t kEnd = 0xffffffff, kCovered = kEnd - 1;
-  std::vector<std::uint32_t> first(kCells * kCells * kCells, kEnd), next(samples.size(), kEnd);
+  std::vector<std::uint32_t> first(std::size_t{kCells} * kCells * kCells, kEnd),
+      next(samples.size(), kEnd);
   const auto list_at = [&](int i, int j, int k) -> std::uint32_t& {
     constexpr int kMask = kCells - 1;
     return first[static_cast<std::size_t>(((k & kMask) * kCells + (j & kMask)) * kCells +
