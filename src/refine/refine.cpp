@@ -252,9 +252,8 @@ void RefineGeom::enqueue(FaceId f, double at_least) {
   const Triangle& v = mesh_.faces[f].v;
   if (f >= violation_.size()) violation_.resize(mesh_.faces.size(), -1);
   violation_[f] = r_.violation(v, r_.s.duals[f]);
-  queue_.set(f, is_left(f)              ? 0
-                : side_off_curve(f) < 3 ? kNotAsked
-                                        : std::max(at_least, violation_[f]));
+  const double asked = side_off_curve(f) < 3 ? kNotAsked : std::max(at_least, violation_[f]);
+  queue_.set(f, asked > 1 && is_left(f) ? 0 : asked);
 }
 
 std::optional<Reason> RefineGeom::fault(FaceId f, bool is_alone) const {
