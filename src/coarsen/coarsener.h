@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Coarsens a mesh: fewer vertices, as far as the bound on the distance and the shapes of facets
 // allow. Each change replaces a disk of facets by a disk with the same boundary:
-//   - a vertex is removed, and its hole filled by the largest angle (coarsen/hole.h);
+//   - a vertex is removed, and its hole filled by the largest angle (surface/hole.h);
 //   - a vertex moves to the middle of its star, and on to Sigma;
 //   - an edge is flipped where the angles across it are too large.
 // A change is refused by the link condition, by shape, or by distance both ways: the vertex that
@@ -20,14 +20,14 @@
 #include <vector>
 
 #include "coarsen/coarsen.h"
-#include "coarsen/facet_test.h"
-#include "coarsen/hole.h"
-#include "coarsen/ring.h"
 #include "isosurface/isosurface.h"
 #include "mesh/tri_mesh.h"
 #include "surface/boundary.h"
+#include "surface/facet_test.h"
+#include "surface/hole.h"
 #include "surface/parameters.h"
 #include "surface/report.h"
+#include "surface/ring.h"
 #include "surface/surface_point.h"
 
 namespace deliso {

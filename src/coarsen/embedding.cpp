@@ -9,10 +9,10 @@
 
 #include "base/disjoint_sets.h"
 #include "base/triangle.h"
-#include "coarsen/ring.h"
 #include "delaunay/predicates.h"
 #include "embedding/box_grid.h"
 #include "embedding/triangle_pair.h"
+#include "surface/ring.h"
 
 namespace deliso {
 namespace {

@@ -37,6 +37,9 @@ class BoxGrid {
   // Makes room for so many elements, most of which are at most as large as a cell. pre: empty.
   void expect(std::size_t elements);
 
+  // Returns the side of the smallest cells.
+  double cell() const { return 1 / per_cell_; }
+
   // Returns the box of these points, rounded outwards.
   Box box_of(std::span<const Vec3> points) const;
   Box box_of(const Vec3& point) const { return box_of(std::span(&point, 1)); }

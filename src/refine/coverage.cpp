@@ -2,104 +2,96 @@
 #include "refine/coverage.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
 
+#include "base/box3.h"
 #include "base/triangle.h"
+#include "volume/volume.h"
 
 namespace deliso {
 namespace {
 
-// Steps from facet to facet towards a sample before the hash is asked.
-constexpr int kSteps = 6;
-
-// Returns the facet across the first edge of f that p lies beyond; kNoId if there is none.
-FaceId towards(const TriMesh& mesh, FaceId f, const Vec3& p) {
-  const Face& face = mesh.faces[f];
-  const std::array<Vec3, 3> at{mesh.points[face.v[0]], mesh.points[face.v[1]],
-                               mesh.points[face.v[2]]};
-  const Vec3 normal = area_normal(at[0], at[1], at[2]);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 &from = at[(i + 1) % 3], &to = at[(i + 2) % 3];
-    if (dot(cross(to - from, normal), p - from) > 0) return face.n[i];
+// Removes the samples over a facet within `limit` of its plane from `numbers`: nearly all, for a
+// fraction of what a search in the hash costs.
+//
+// Samples are listed by cells as large as the hash's. The table of cells is periodic in space. A
+// list loses the samples that are found.
+void remove_covered(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
+                    double limit, std::vector<std::uint32_t>& numbers) {
+  const double per_cell = 1 / grid.cell();
+  const auto cell_at = [&](const Vec3& p) {
+    return Index3{static_cast<int>(per_cell * p.x), static_cast<int>(per_cell * p.y),
+                  static_cast<int>(per_cell * p.z)};
+  };
+  constexpr int kCells = 16;  // of the table, along each axis
+  constexpr std::uint32_t kEnd = 0xffffffff, kCovered = kEnd - 1;
+  std::vector<std::uint32_t> first(std::size_t{kCells} * kCells * kCells, kEnd),
+      next(samples.size(), kEnd);
+  const auto list_at = [&](int i, int j, int k) -> std::uint32_t& {
+    constexpr int kMask = kCells - 1;
+    return first[static_cast<std::size_t>(((k & kMask) * kCells + (j & kMask)) * kCells +
+                                          (i & kMask))];
+  };
+  for (const std::uint32_t n : numbers) {
+    const Index3 at = cell_at(samples[n]);
+    next[n] = std::exchange(list_at(at.i, at.j, at.k), n);
   }
-  return kNoId;
+  for (const Face& face : mesh.faces) {
+    if (is_dead(face)) continue;
+    const Vec3 &a = mesh.points[face.v[0]], &b = mesh.points[face.v[1]],
+               &c = mesh.points[face.v[2]];
+    const Vec3 u = b - a, v = c - a;
+    const Vec3 normal = cross(u, v), along_u = cross(v, normal), along_v = cross(normal, u);
+    const double normal2 = length2(normal), height2 = limit * limit * normal2;
+    const auto is_over = [&](const Vec3& p) {
+      const Vec3 w = p - a;
+      const double height = dot(normal, w), by_u = dot(along_u, w), by_v = dot(along_v, w);
+      return height * height <= height2 && by_u >= 0 && by_v >= 0 && by_u + by_v <= normal2;
+    };
+    const Box3 box = box_of(a, b, c);
+    const Index3 lo = cell_at(box.lo);
+    Index3 hi = cell_at(box.hi);
+    for (int axis = 0; axis < 3; ++axis) hi[axis] = std::min(hi[axis], lo[axis] + kCells - 1);
+    for (int k = lo.k; k <= hi.k; ++k) {
+      for (int j = lo.j; j <= hi.j; ++j) {
+        for (int i = lo.i; i <= hi.i; ++i) {
+          for (std::uint32_t* at = &list_at(i, j, k); *at != kEnd;) {
+            const std::uint32_t n = *at;
+            if (is_over(samples[n])) {
+              *at = std::exchange(next[n], kCovered);
+            } else {
+              at = &next[n];
+            }
+          }
+        }
+      }
+    }
+  }
+  std::erase_if(numbers, [&](std::uint32_t n) { return next[n] == kCovered; });
 }
 
-// Finds facets near samples of which most are near the one before.
-class NearFacets {
- public:
-  // `side`: of the cells below.
-  NearFacets(const TriMesh& mesh, const BoxGrid& grid, double side)
-      : mesh_(mesh), grid_(grid), side_(side) {
-    guesses_.fill(kNoId);
-  }
+double distance2_to_facet(const TriMesh& mesh, FaceId f, const Vec3& p) {
+  const Triangle& v = mesh.faces[f].v;
+  return distance2_to_triangle(p, mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
+}
 
-  // True if a facet is within `limit` of p.
-  bool is_near(const Vec3& p, double limit) {
-    const auto is_near = [&](FaceId f) {
-      if (f == kNoId || distance2(f, p) > limit * limit) return false;
-      last_ = f;
-      return true;
-    };
-    // Walks over the mesh to a facet that p is over, or to an edge that p is beyond from both
-    // sides. Nothing depends on where that ends.
-    const auto is_reached = [&](FaceId f) {
-      FaceId before = kNoId;
-      for (int step = 0; step < kSteps && f != kNoId; ++step) {
-        const FaceId next = towards(mesh_, f, p);
-        if (next == kNoId || next == before) return is_near(f) || is_near(before);
-        before = std::exchange(f, next);
-      }
+// Returns the facet nearest to a sample at p, found in growing balls, the first of this radius;
+// kNoId if all are very far.
+FarSample nearest(const TriMesh& mesh, const BoxGrid& grid, std::uint32_t sample, const Vec3& p,
+                  double radius) {
+  FarSample at{sample, kNoId, 0};
+  for (int doublings = 0; at.facet == kNoId && doublings < 32; ++doublings, radius *= 2) {
+    at.distance2 = radius * radius;
+    grid.any(grid.box_around(p, radius), [&](FaceId f, const auto&) {
+      const double d2 = distance2_to_facet(mesh, f, p);
+      if (std::tie(d2, f) < std::tie(at.distance2, at.facet)) at = {sample, f, d2};
       return false;
-    };
-    std::size_t cell = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      cell = kCells * cell + static_cast<std::size_t>(p[axis] / side_) % kCells;
-    }
-    if (!is_reached(last_) && !is_reached(guesses_[cell]) &&
-        !grid_.any(grid_.box_around(p, limit), [&](FaceId f, const auto&) { return is_near(f); })) {
-      return false;
-    }
-    guesses_[cell] = last_;
-    return true;
+    });
   }
-
-  // Returns the facet nearest to p, found in growing balls; kNoId if all are very far.
-  FarSample nearest(std::uint32_t sample, const Vec3& p, double radius) const {
-    FarSample at{sample, kNoId, 0};
-    for (int doublings = 0; at.facet == kNoId && doublings < 32; ++doublings, radius *= 2) {
-      at.distance2 = radius * radius;
-      grid_.any(grid_.box_around(p, radius), [&](FaceId f, const auto&) {
-        const double d2 = distance2(f, p);
-        if (std::tie(d2, f) < std::tie(at.distance2, at.facet)) {
-          at.distance2 = d2;
-          at.facet = f;
-        }
-        return false;
-      });
-    }
-    return at;
-  }
-
- private:
-  double distance2(FaceId f, const Vec3& p) const {
-    const Triangle& v = mesh_.faces[f].v;
-    return distance2_to_triangle(p, mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]]);
-  }
-
-  static constexpr std::size_t kCells = 16;
-
-  const TriMesh& mesh_;
-  const BoxGrid& grid_;
-  const double side_;
-  // Per cell, the facet that was near the last sample there: the next one is often near it too. The
-  // table is periodic in space.
-  std::array<FaceId, kCells * kCells * kCells> guesses_;
-  FaceId last_ = kNoId;
-};
+  return at;
+}
 
 }  // namespace
 
@@ -107,12 +99,13 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
                                 std::span<const Vec3> samples, double limit,
                                 std::vector<std::uint32_t>& numbers) {
   std::vector<FarSample> far;
-  constexpr double kCellLimits = 8;  // side of a cell, in `limit`
-  NearFacets facets(mesh, grid, kCellLimits * limit);
+  // The first time, when none was held against the mesh.
+  if (numbers.size() == samples.size()) remove_covered(mesh, grid, samples, limit, numbers);
   std::erase_if(numbers, [&](std::uint32_t n) {
-    if (facets.is_near(samples[n], limit)) return true;
-    const FarSample at = facets.nearest(n, samples[n], 2 * limit);
-    if (at.facet != kNoId) far.push_back(at);
+    const FarSample at = nearest(mesh, grid, n, samples[n], limit);
+    if (at.facet == kNoId) return false;
+    if (at.distance2 <= limit * limit) return true;
+    far.push_back(at);
     return false;
   });
   std::ranges::sort(far, {},
@@ -127,12 +120,13 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
 
 double furthest_distance(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
                          double resolution) {
-  constexpr double kCellResolutions = 8;
-  NearFacets facets(mesh, grid, kCellResolutions * resolution);
   double furthest = 0;
+  FaceId last = kNoId;  // the facet near a sample is often near the next one, too
   for (const Vec3& p : samples) {
-    if (facets.is_near(p, furthest)) continue;
-    furthest = std::sqrt(facets.nearest(0, p, std::max(2 * furthest, resolution)).distance2);
+    if (last != kNoId && distance2_to_facet(mesh, last, p) <= furthest * furthest) continue;
+    const FarSample at = nearest(mesh, grid, 0, p, std::max(furthest, resolution));
+    furthest = std::max(furthest, std::sqrt(at.distance2));
+    last = at.facet;
   }
   return furthest;
 }

@@ -70,9 +70,11 @@ class RefineGeom {
   // Returns true if an operation was done. Then it queues the facets created, and marks them and
   // their neighbors as not done.
   bool accept(const std::optional<Refusal>& refusal);
-  // Queues f if it violates a criterion or `at_least` is over 1.
+  // Queues f if it violates a criterion or `at_least` is over 1, and is not left.
   void enqueue(FaceId f, double at_least = 0);
-  // True if f is left to blocks/seams.h.
+  // True if f is left to blocks/seams.h: it touches a seam, which has all vertices of T, and will
+  // be coarsened with it. Refined before, half of a block's insertions would be there, and go
+  // again.
   bool is_left(FaceId f) const;
   // Returns why f must be refined; nullopt if it need not. `is_alone`: no other vertex is near it.
   std::optional<Reason> fault(FaceId f, bool is_alone = false) const;
@@ -153,9 +155,9 @@ void RefineGeom::refine_worst_first(Moves moves) {
       if (!reason) continue;  // removed, or good since an operation near it
       require_room();
       const Question question(r_, f, *reason);
-      if (improve(f) || (moves == Moves::yes && !is_left(f) && move(f))) {
+      if (improve(f) || (moves == Moves::yes && move(f))) {
         any = true;
-      } else if (!is_left(f)) {
+      } else {
         refused_.push_back(f);
         is_done_[f] = moves == Moves::yes && !met_frozen_;
         is_unsettled_.resize(mesh_.faces.size(), 0);
@@ -181,10 +183,6 @@ bool RefineGeom::improve(FaceId f) {
   }
   const Dual dual = r_.s.duals[f];
   const bool is_near = is_center_near(f);
-  if (is_left(f)) {
-    return dual.on_surface && is_near &&
-           accept(insert_point(r_, Operation::surface_point, f, dual.center));
-  }
   return (side < 3 && accept(split_boundary_edge(r_, {f, side}))) ||
          accept(collapse_short_edge(r_, f)) ||
          (!met_frozen_ && dual.on_surface && is_near &&
@@ -254,7 +252,8 @@ void RefineGeom::enqueue(FaceId f, double at_least) {
   const Triangle& v = mesh_.faces[f].v;
   if (f >= violation_.size()) violation_.resize(mesh_.faces.size(), -1);
   violation_[f] = r_.violation(v, r_.s.duals[f]);
-  queue_.set(f, side_off_curve(f) < 3 ? kNotAsked : std::max(at_least, violation_[f]));
+  const double asked = side_off_curve(f) < 3 ? kNotAsked : std::max(at_least, violation_[f]);
+  queue_.set(f, asked > 1 && is_left(f) ? 0 : asked);
 }
 
 std::optional<Reason> RefineGeom::fault(FaceId f, bool is_alone) const {

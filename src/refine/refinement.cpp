@@ -57,7 +57,7 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
       inserted(surface_mesh.mesh.points.size()),
       finder(isosurface),
       facets_(box_of(surface_mesh.mesh, isosurface), grid_cell(given, surface_mesh.mesh)),
-      vertices_(box_of(surface_mesh.mesh, isosurface), grid_cell(given, surface_mesh.mesh)) {
+      vertices_(facets_) {
   facets_.expect(mesh.faces.size());
   vertices_.expect(mesh.points.size());
   DisjointSets joined(mesh.faces.size());

@@ -74,14 +74,15 @@ class Separation {
   }
   void mend_edges(FaceId f) {
     const Question question(r_, f, Reason::too_near);
+    const Vec3 normal = r_.normal(r_.mesh.faces[f].v);
     for (int i = 0; i < 3; ++i) {
-      if (unfold(f, i) || collapse_if_short(f, i)) return;  // what came is looked at later
+      if (unfold(f, i, normal) || collapse_if_short(f, i)) return;  // what came is looked at later
     }
     flip_needle(f);
   }
   // The tests of a collapse: all, or the topology and crossings alone.
   enum class Gates : std::uint8_t { all, topology };
-  bool unfold(FaceId f, int i);
+  bool unfold(FaceId f, int i, const Vec3& normal);
   bool flip_fold(FaceId f, int i, double fold);
   bool flip_needle(FaceId f);
   bool remove_tip(FaceId f, int i);
@@ -112,10 +113,12 @@ class Separation {
 };
 
 // Every success removes a vertex, or an edge in place of which none as sharp comes.
-bool Separation::unfold(FaceId f, int i) {
+bool Separation::unfold(FaceId f, int i, const Vec3& normal) {
   const FaceId g = r_.mesh.faces[f].n[i];
   if (g == kNoId) return false;
-  const double fold = cosine_between(r_.normal(r_.mesh.faces[f].v), r_.normal(r_.mesh.faces[g].v));
+  const Vec3 across = r_.normal(r_.mesh.faces[g].v);
+  if (!(dot(normal, across) < 0)) return false;  // nearly all
+  const double fold = cosine_between(normal, across);
   if (!(fold < kSharpestFold)) return false;
   return flip_fold(f, i, fold) || merge_across(f, i) ||
          merge_across(g, neighbor_index(r_.mesh.faces[g], f)) || collapse(f, i, Gates::all) ||

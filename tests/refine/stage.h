@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "base/triangle.h"
 #include "delaunay/predicates.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
@@ -120,6 +121,18 @@ inline std::vector<VertexId> all_vertices(const TriMesh& mesh) {
   std::vector<VertexId> all;
   for (VertexId v = 0; v < mesh.points.size(); ++v) all.push_back(v);
   return all;
+}
+
+// By all facets.
+inline double distance2_to_mesh(const Vec3& p, const TriMesh& mesh) {
+  double nearest2 = kNotAsked;
+  for (const Face& face : mesh.faces) {
+    if (is_dead(face)) continue;
+    const auto& [a, b, c] = face.v;
+    nearest2 = std::min(nearest2,
+                        distance2_to_triangle(p, mesh.points[a], mesh.points[b], mesh.points[c]));
+  }
+  return nearest2;
 }
 
 // Proposes what was filled in by hand.

@@ -11,7 +11,6 @@
 #include <map>
 
 #include "base/triangle.h"
-#include "refine/coverage.h"
 #include "refine/stage.h"
 #include "stress/tiny_volume.h"
 
@@ -80,18 +79,6 @@ void for_each_scene(Test&& test) {
   }
 }
 
-// By all facets.
-double distance2_to_mesh(const Vec3& p, const TriMesh& mesh) {
-  double nearest2 = kNotAsked;
-  for (const Face& face : mesh.faces) {
-    if (is_dead(face)) continue;
-    nearest2 =
-        std::min(nearest2, distance2_to_triangle(p, mesh.points[face.v[0]], mesh.points[face.v[1]],
-                                                 mesh.points[face.v[2]]));
-  }
-  return nearest2;
-}
-
 }  // namespace
 
 TEST_CASE("a coarsened mesh is embedded, of the same topology, and has the vertices asked for") {
@@ -156,17 +143,4 @@ TEST_CASE("what lies in a plane goes first") {
   CHECK(stage.fault() == "");
   CHECK(used_vertices(stage.mesh) <= 16);
   for (const Vec3& p : scene.contour.points) REQUIRE(distance2_to_mesh(p, stage.mesh) < 1e-10);
-}
-
-TEST_CASE("the furthest sample is as far as the nearest of all facets") {
-  for_each_scene([](int, Stage& stage) {
-    coarsen(stage.r, used_vertices(stage.mesh) / 2);
-    const Scene& scene = stage.scene;
-    double furthest2 = 0;
-    for (const Vec3& p : scene.contour.points) {
-      furthest2 = std::max(furthest2, distance2_to_mesh(p, stage.mesh));
-    }
-    CHECK(furthest_distance(stage.mesh, stage.r.facets(), scene.contour.points,
-                            scene.volume.voxel()) == std::sqrt(furthest2));
-  });
 }

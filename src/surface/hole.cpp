@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "coarsen/hole.h"
+#include "surface/hole.h"
 
 #include <limits>
 

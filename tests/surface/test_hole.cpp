@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Holes over a plane, where the filling is known.
-#include "coarsen/hole.h"
+#include "surface/hole.h"
 
 #include <doctest/doctest.h>
 
@@ -41,11 +41,11 @@ FacetTest test_with(double bound) {
   return FacetTest(kPlane, 0, p, bound);
 }
 
-std::vector<Vec3> hexagon() {
+std::vector<Vec3> hexagon(double height = 0) {
   std::vector<Vec3> points;
   for (int k = 0; k < 6; ++k) {
     const double angle = k * std::numbers::pi / 3;
-    points.push_back({5 + 2 * std::cos(angle), 5 + 2 * std::sin(angle), 5.5});
+    points.push_back({5 + 2 * std::cos(angle), 5 + 2 * std::sin(angle), 5.5 + height});
   }
   return points;
 }
@@ -60,6 +60,16 @@ TEST_CASE("a vertex may go if it lies within the bound of the facets over its ho
   }
   for (const double height : {-0.11, 0.11}) {
     CHECK_FALSE(hole.fill(ring_of(height, hexagon()), test_with(0.1)));
+  }
+}
+
+TEST_CASE("facets that fill a hole have the surface within the bound") {
+  Hole hole;
+  for (const double height : {-0.09, 0.09}) {
+    CHECK(hole.fill(ring_of(height, hexagon(height)), test_with(0.1)));
+  }
+  for (const double height : {-0.11, 0.11}) {
+    CHECK_FALSE(hole.fill(ring_of(height, hexagon(height)), test_with(0.1)));
   }
 }
 

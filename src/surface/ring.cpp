@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "coarsen/ring.h"
+#include "surface/ring.h"
 
 #include <cmath>
 

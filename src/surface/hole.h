@@ -5,8 +5,8 @@
 
 #include <array>
 
-#include "coarsen/facet_test.h"
-#include "coarsen/ring.h"
+#include "surface/facet_test.h"
+#include "surface/ring.h"
 
 namespace deliso {
 
