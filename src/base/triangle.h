@@ -35,6 +35,12 @@ constexpr double longest_edge2(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::max({distance2(a, b), distance2(b, c), distance2(c, a)});
 }
 
+// Returns the number of the corner with an angle of more than pi/2; 3: none has one.
+constexpr int obtuse_corner(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, bc = c - b, ca = a - c;
+  return dot(ca, ab) > 0 ? 0 : dot(ab, bc) > 0 ? 1 : dot(bc, ca) > 0 ? 2 : 3;
+}
+
 // Returns the square of the least height over the longest edge. Below kNeedleHeight squared a
 // triangle is a needle: an angle is less than about .01 degree.
 constexpr double height_ratio2(const Vec3& a, const Vec3& b, const Vec3& c) {

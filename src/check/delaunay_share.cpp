@@ -7,10 +7,10 @@
 
 #include "base/box3.h"
 #include "base/parallel.h"
-#include "check/patch_at.h"
 #include "check/vertex_grids.h"
 #include "delaunay/predicates.h"
 #include "delaunay/voronoi.h"
+#include "isosurface/patch_at.h"
 #include "mesh/incidence.h"
 
 namespace deliso {

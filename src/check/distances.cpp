@@ -10,8 +10,8 @@
 
 #include "base/parallel.h"
 #include "base/triangle.h"
-#include "check/patch_at.h"
 #include "isosurface/boundary_midpoint.h"
+#include "isosurface/patch_at.h"
 
 namespace deliso {
 namespace {

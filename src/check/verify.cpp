@@ -11,7 +11,6 @@
 #include "base/triangle.h"
 #include "check/close_places.h"
 #include "check/compare_topology.h"
-#include "check/patch_at.h"
 #include "check/self_intersections.h"
 #include "check/solid.h"
 #include "check/triangle_tree.h"
@@ -19,6 +18,7 @@
 #include "check/voxel_components.h"
 #include "contour/contour.h"
 #include "isosurface/isosurface.h"
+#include "isosurface/patch_at.h"
 
 namespace deliso {
 namespace {

@@ -239,6 +239,7 @@ bool Coarsener::move(VertexId v) {
   return true;
 }
 
+// Of two angles that sum to more than pi one is obtuse, and no facet has two obtuse angles.
 void Coarsener::flip_edges() {
   constexpr int kSweeps = 2;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -246,28 +247,26 @@ void Coarsener::flip_edges() {
       const Face& face = mesh_.faces[f];
       if (is_dead(face) || is_frozen(f)) continue;
       if (std::ranges::none_of(face.v, [&](VertexId v) { return is_active_[v] != 0; })) continue;
-      for (int i = 0; i < 3; ++i) {
-        const FaceId g = mesh_.faces[f].n[i];
-        if (g != kNoId && f < g && flip(f, i)) break;
-      }
+      const auto& [a, b, c] = face.v;
+      const int i = obtuse_corner(mesh_.points[a], mesh_.points[b], mesh_.points[c]);
+      if (i < 3 && face.n[i] != kNoId && !is_frozen(face.n[i])) flip(f, i);
     }
   }
 }
 
 // Flips the edge of f opposite its corner i if the angles across it sum to more than pi.
-bool Coarsener::flip(FaceId f, int i) {
+void Coarsener::flip(FaceId f, int i) {
   IdArray<FaceId, Face>& faces = mesh_.faces;
   const auto [first, g, a, b, c, d] = quad_at(mesh_, f, i);
   const Vec3 &pa = mesh_.points[a], &pb = mesh_.points[b], &pc = mesh_.points[c],
              &pd = mesh_.points[d];
   const double at_a = dot(pb - pa, pc - pa), at_d = dot(pb - pd, pc - pd);
-  if (at_a >= 0 && at_d >= 0) return false;
   const Vec3 n = area_normal(pa, pb, pc), m = area_normal(pd, pc, pb);
-  if (at_a * length(m) + at_d * length(n) >= 0) return false;
+  if (at_a * length(m) + at_d * length(n) >= 0) return;
   const double worst2 = std::max(radius_ratio2(pa, pb, pc), radius_ratio2(pd, pc, pb));
   if (kept_[a] + kept_[d] == 2 || joins_on_box(a, d) || joined(a, d) ||
       !test_.holds(pa, pb, pd, n + m, worst2) || !test_.holds(pd, pc, pa, n + m, worst2)) {
-    return false;
+    return;
   }
   const FaceId ab = faces[f].n[(i + 2) % 3], ca = faces[f].n[(i + 1) % 3];
   const FaceId bd = faces[g].n[corner_index(faces[g], c)],
@@ -284,7 +283,6 @@ bool Coarsener::flip(FaceId f, int i) {
   facet_[c] = g;
   wake(b, c);
   wake(c, b);
-  return true;
 }
 
 }  // namespace deliso

@@ -57,7 +57,7 @@ class Coarsener {
   bool keeps_link() const;
   void replace_star(VertexId v);
   bool move(VertexId v);
-  bool flip(FaceId f, int i);
+  void flip(FaceId f, int i);
   // Walks around v. False if a facet there is frozen.
   bool walk(VertexId v);
   // True if an edge joins a and b.

@@ -165,7 +165,7 @@ class PieceMesher final : public ContourSink {
       return;
     }
     const Vec3 center = local(cell, sum / static_cast<double>(loop.size()));
-    const VertexId apex = add_inner(cell, TrilinearPatch(c).surface_point_near(center), label);
+    const VertexId apex = add_inner(cell, VoxelPatch(c).surface_point_near(center), label);
     VertexId previous = loop.back();
     for (const VertexId v : loop) {
       mesh_.triangles.push_back({previous, v, apex});
@@ -180,7 +180,7 @@ class PieceMesher final : public ContourSink {
             std::span<const VertexId> b, std::uint32_t label) {
     for (const VertexId v : a) mesh_.component[v] = label;
     for (const VertexId v : b) mesh_.component[v] = label;
-    const TrilinearPatch patch(c);
+    const VoxelPatch patch(c);
     const std::size_t n = a.size(), m = b.size();
     const auto forwards = [&](std::size_t i) { return a[i % n]; };
     const auto backwards = [&](std::size_t j) { return b[(2 * m - j) % m]; };

@@ -45,37 +45,7 @@ Vec3 clamp_to_inside(const Vec3& u, double clearance = kMarginVoxels) {
 
 }  // namespace
 
-TrilinearPatch::TrilinearPatch(const Corners& c) : corners_(c) {
-  k_[0] = c[0];
-  k_[1] = c[1] - c[0];
-  k_[2] = c[2] - c[0];
-  k_[4] = c[4] - c[0];
-  k_[3] = (c[3] - c[2]) - k_[1];
-  k_[5] = (c[5] - c[4]) - k_[1];
-  k_[6] = (c[6] - c[4]) - k_[2];
-  k_[7] = ((c[7] - c[6]) - (c[5] - c[4])) - k_[3];
-}
-
-double TrilinearPatch::value(const Vec3& u) const {
-  return (k_[0] + k_[1] * u.x + u.y * (k_[2] + k_[3] * u.x)) +
-         u.z * (k_[4] + k_[5] * u.x + u.y * (k_[6] + k_[7] * u.x));
-}
-
-Vec3 TrilinearPatch::gradient(const Vec3& u) const {
-  return {k_[1] + k_[3] * u.y + u.z * (k_[5] + k_[7] * u.y),
-          k_[2] + k_[3] * u.x + u.z * (k_[6] + k_[7] * u.x),
-          k_[4] + k_[5] * u.x + u.y * (k_[6] + k_[7] * u.x)};
-}
-
-TrilinearPatch::Cubic TrilinearPatch::along(const Vec3& from, double value_there,
-                                            const Vec3& gradient_there, const Vec3& d) const {
-  return {value_there, dot(gradient_there, d),
-          (k_[3] + k_[7] * from.z) * d.x * d.y + (k_[5] + k_[7] * from.y) * d.x * d.z +
-              (k_[6] + k_[7] * from.x) * d.y * d.z,
-          k_[7] * d.x * d.y * d.z};
-}
-
-std::optional<double> TrilinearPatch::newton(const Cubic& f, double limit) {
+std::optional<double> VoxelPatch::newton(const Cubic& f, double limit) {
   double t = 0;
   for (int step = 0; step < 6; ++step) {
     const double next = t - f.at(t) / f.slope(t);
@@ -86,7 +56,7 @@ std::optional<double> TrilinearPatch::newton(const Cubic& f, double limit) {
   return std::nullopt;
 }
 
-double TrilinearPatch::first_sign_change(const Cubic& f, double limit) {
+double VoxelPatch::first_sign_change(const Cubic& f, double limit) {
   const bool positive = f.c0 >= 0;
   if ((f.at(limit) >= 0) == positive) return -1;
   // Newton's method in a bracket whose ends have different signs. Bisects when a step leaves the
@@ -105,7 +75,7 @@ double TrilinearPatch::first_sign_change(const Cubic& f, double limit) {
   return std::clamp(t, low, high);
 }
 
-Vec3 TrilinearPatch::surface_point_near(const Vec3& from) const {
+Vec3 VoxelPatch::surface_point_near(const Vec3& from) const {
   // A piece around a sample next to kappa may have no point at this clearance.
   const auto [least, most] =
       std::minmax_element(corners_.begin(), corners_.end(),
@@ -127,7 +97,7 @@ Vec3 TrilinearPatch::surface_point_near(const Vec3& from) const {
   return clamp_to_inside(touching);
 }
 
-std::optional<Vec3> TrilinearPatch::surface_point_within(const Vec3& from, double clearance) const {
+std::optional<Vec3> VoxelPatch::surface_point_within(const Vec3& from, double clearance) const {
   const double v = value(from);
   if (v == 0) return clamp_to_inside(from);
   const Vec3 g = gradient(from);

@@ -3,31 +3,16 @@
 // fills a loop of the contour. Coordinates are the voxel's own, [0, 1] along each axis.
 #pragma once
 
-#include <array>
 #include <optional>
 
-#include "base/vec3.h"
-#include "volume/volume.h"
+#include "volume/trilinear_patch.h"
 
 namespace deliso {
 
-// The trilinear polynomial of a voxel: value = sum of coefficients times 1, x, y, xy, z, xz, yz,
-// xyz, in the order of the corners.
-class TrilinearPatch {
+// The patch of a voxel in which a point of Sigma is sought.
+class VoxelPatch : public TrilinearPatch {
  public:
-  explicit TrilinearPatch(const Corners& c);  // values minus kappa
-
-  double value(const Vec3& u) const;
-  Vec3 gradient(const Vec3& u) const;
-
-  // The values on a line, as a cubic in its parameter.
-  struct Cubic {
-    double c0, c1, c2, c3;
-    double at(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
-    double slope(double t) const { return c1 + t * (2 * c2 + t * 3 * c3); }
-  };
-  Cubic along(const Vec3& from, double value_there, const Vec3& gradient_there,
-              const Vec3& direction) const;
+  explicit VoxelPatch(const Corners& c) : TrilinearPatch(c), corners_(c) {}  // values minus kappa
 
   // Returns a point of Sigma near `from`, strictly within the voxel, and if possible a thousandth
   // of it from its faces. Newton's method nearly always finds one near by, on the line along the
@@ -48,7 +33,6 @@ class TrilinearPatch {
   static double first_sign_change(const Cubic& f, double limit);
 
   Corners corners_;
-  std::array<double, 8> k_;
 };
 
 }  // namespace deliso

@@ -116,14 +116,6 @@ Nearest find_nearest(const Field<T>& field, const VoxelBox& box, const LatticeLi
   }
 }
 
-void count_search(SearchCounters& counters, std::uint64_t computations, bool hit) {
-  ++counters.searches;
-  counters.computations += computations;
-  if (!hit) return;
-  ++counters.searches_with_hit;
-  counters.computations_with_hit += computations;
-}
-
 }  // namespace
 
 Isosurface::Isosurface(const Volume& volume, double kappa, CubicMethod method)
@@ -159,7 +151,7 @@ void Isosurface::intersect(const Segment& r, std::vector<Hit>& hits,
       }
     });
   }
-  count_search(counters, computations, !hits.empty());
+  counters.count_search(computations, !hits.empty());
 }
 
 std::optional<Hit> Isosurface::nearest(const Vec3& center, const Vec3& direction, double limit,
@@ -174,7 +166,7 @@ std::optional<Hit> Isosurface::nearest(const Vec3& center, const Vec3& direction
     });
   }
   const bool hit = best.distance <= limit && std::isfinite(best.distance);
-  count_search(counters, computations, hit);
+  counters.count_search(computations, hit);
   if (!hit) return std::nullopt;
   return best.hit;
 }

@@ -33,6 +33,14 @@ struct SearchCounters {
   std::uint64_t computations = 0;           // voxel-ray intersections solved
   std::uint64_t computations_with_hit = 0;  // those of searches with a hit (CPI*)
 
+  void count_search(std::uint64_t solved, bool has_hit) {
+    ++searches;
+    computations += solved;
+    if (!has_hit) return;
+    ++searches_with_hit;
+    computations_with_hit += solved;
+  }
+
   SearchCounters& operator+=(const SearchCounters& o) {
     searches += o.searches;
     searches_with_hit += o.searches_with_hit;
@@ -54,6 +62,7 @@ class Isosurface {
   Isosurface(const Volume& volume, double kappa, CubicMethod method = CubicMethod::isolation);
 
   const Volume& volume() const { return volume_; }
+  const VoxelUnits& units() const { return units_; }
   double kappa() const { return kappa_; }
 
   // Finds all points of Sigma on r, in increasing t in [0, 1]: Intersect(f, kappa, r) of Figure 12.

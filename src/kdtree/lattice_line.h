@@ -208,15 +208,29 @@ class VoxelUnits {
         voxels_(volume.voxels()),
         box_(volume.box()) {}
 
-  // Returns the line origin + t * direction (scaled frame) in voxel units, with the same t. An
-  // origin in the volume's box is also in the box of voxels, whatever the spacing's rounding.
-  LatticeLine line(const Vec3& origin, const Vec3& direction) const {
+  // Returns a point (scaled frame) in voxel units. If it is in the volume's box it is also in the
+  // box of voxels, whatever the spacing's rounding.
+  Vec3 point(const Vec3& p) const {
     const auto in_voxels = [&](int axis) {
-      const double u = origin[axis] * per_spacing_[axis] - first_[axis];
-      const double below = origin[axis] <= box_.hi[axis] ? smaller(u, top_[axis]) : u;
-      return origin[axis] >= box_.lo[axis] ? greater(below, 0.0) : below;
+      const double u = p[axis] * per_spacing_[axis] - first_[axis];
+      const double below = p[axis] <= box_.hi[axis] ? smaller(u, top_[axis]) : u;
+      return p[axis] >= box_.lo[axis] ? greater(below, 0.0) : below;
     };
-    return {{in_voxels(0), in_voxels(1), in_voxels(2)}, times(direction, per_spacing_), voxels_};
+    return {in_voxels(0), in_voxels(1), in_voxels(2)};
+  }
+  Vec3 vector(const Vec3& v) const { return times(v, per_spacing_); }
+  // Returns the voxel that holds the point u (voxel units), clamped to the box.
+  Index3 voxel_at(const Vec3& u) const {
+    Index3 voxel;
+    for (int axis = 0; axis < 3; ++axis) {
+      voxel[axis] = static_cast<int>(greater(smaller(u[axis], top_[axis] - 1), 0.0));
+    }
+    return voxel;
+  }
+
+  // Returns the line origin + t * direction (scaled frame) in voxel units, with the same t.
+  LatticeLine line(const Vec3& origin, const Vec3& direction) const {
+    return {point(origin), vector(direction), voxels_};
   }
   VoxelBox box() const { return {{0, 0, 0}, {voxels_.i, voxels_.j, voxels_.k}}; }
 

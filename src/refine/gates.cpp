@@ -99,20 +99,22 @@ bool Refinement::is_joined_outside(VertexId a, VertexId b, const Proposal& c) {
       star_, [&](FaceId f) { return !is_in_cavity(f) && has_corner(mesh.faces[f].v, b); });
 }
 
-// Returns the smallest cosine between the normals at an edge of the disk, boundary edges included.
+// Returns the smallest cosine between the normals at an edge of the disk, boundary edges included;
+// 0 if none is negative.
 double Refinement::sharpest_edge(const Disk& disk, std::span<const Vec3> normals,
                                  std::span<const FaceId> across) const {
-  double least = 1;
+  double least = 0;
+  const auto consider = [&](const Vec3& u, const Vec3& v) {
+    if (dot(u, v) < 0) least = std::min(least, cosine_between(u, v));
+  };
   for (std::uint32_t f = 0; f < disk.facets.size(); ++f) {
     for (const std::uint32_t g : disk.across[f]) {
-      if (g != Disk::kNone && g > f)
-        least = std::min(least, cosine_between(normals[f], normals[g]));
+      if (g != Disk::kNone && g > f) consider(normals[f], normals[g]);
     }
   }
   for (std::size_t k = 0; k < across.size(); ++k) {
     if (across[k] == kNoId) continue;
-    const Vec3 outside = normal(mesh.faces[across[k]].v);
-    least = std::min(least, cosine_between(normals[disk.boundary[k].facet], outside));
+    consider(normals[disk.boundary[k].facet], normal(mesh.faces[across[k]].v));
   }
   return least;
 }

@@ -42,13 +42,27 @@ double cost_of_ball(const Refinement& r, const Triangle& v, const Dual& dual) {
   return r.is_delaunay(v, dual) ? 0 : kNotDelaunayCost;
 }
 
+double cost_of_shape(const Refinement& r, const FacetShape& shape) {
+  const double violation = deliso::violation(shape, r.parameters.refinement);
+  return violation > 1 ? violation : 0;
+}
+
 double cost(const Refinement& r, const Triangle& v, const Dual& dual) {
-  const double violation = r.violation(v, dual);
-  return (violation > 1 ? violation : 0) + cost_of_ball(r, v, dual);
+  return cost_of_shape(r, r.shape(v, dual)) + cost_of_ball(r, v, dual);
+}
+
+// Returns the cost of a facet whose dual is not known yet, or less: as if Sigma passed through its
+// circumcenter.
+double least_cost(const Refinement& r, const Triangle& v) {
+  FacetShape shape = r.shape(v, {});
+  shape.h = 0;
+  return cost_of_shape(r, shape);
 }
 
 std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   if (r.s.chain.is_boundary(v)) return Refusal::boundary;
+  r.moves.resize(r.mesh.points.size());
+  if (r.moves[v].are_vain) return Refusal::no_gain;
   Proposal* c = r.propose(r.star(f, v));
   if (!c) return Refusal::not_a_disk;
 
@@ -72,17 +86,13 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
     across.push_back({r.s.duals[g], r.is_delaunay(r.mesh.faces[g].v, r.s.duals[g], v)});
   }
   const auto cost_across = [&] {
-    double sum = 0;
-    for (const Ball& b : across) {
-      sum += b.is_delaunay && !b.dual.holds(r.point(v)) ? 0 : kNotDelaunayCost;
-    }
-    return sum;
+    const auto costs = [&](const Ball& b) { return !b.is_delaunay || b.dual.holds(r.point(v)); };
+    return kNotDelaunayCost * static_cast<double>(std::ranges::count_if(across, costs));
   };
   here += cost_across();
   const double size = length(normal);
-  r.move_tries.resize(r.mesh.points.size(), 0);
-  if (!(size > 0) || here == 0 || r.move_tries[v] == kMaxTries) return Refusal::no_gain;
-  ++r.move_tries[v];
+  if (!(size > 0) || here == 0 || r.moves[v].tries == kMaxTries) return Refusal::no_gain;
+  ++r.moves[v].tries;
   normal = normal / size;
   const Vec3 sideways = cross(normal, std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
   const Vec3 u = sideways / length(sideways), w = cross(normal, u);
@@ -90,10 +100,15 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   const Vec3 from = r.point(v);
   SearchCounters& searches = r.report.searches_refine;
   double there = 0;
-  // Adds up the costs facet by facet. False as soon as the cost does not fall far enough.
+  // The costs become known facet by facet. False as soon as the cost does not fall far enough.
   const auto lowers_cost = [&] {
-    there = c->duals.empty() ? cost_across()
-                             : there + cost(r, c->in.facets[c->duals.size() - 1], c->duals.back());
+    if (c->duals.empty()) {
+      there = cost_across();
+      for (const Triangle& t : c->in.facets) there += least_cost(r, t);
+    } else {
+      const Triangle& t = c->in.facets[c->duals.size() - 1];
+      there += cost(r, t, c->duals.back()) - least_cost(r, t);
+    }
     return there < (1 - kMinCostFall) * here &&
            (!c->has_duals() || (r.finder.on_one_sheet(from, c->place, normal, searches) &&
                                 r.finder.leads_to(from, c->place, normal, searches)));
@@ -108,6 +123,7 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
       if (!r.replace(lowers_cost)) return r.done(Operation::move, std::nullopt);
     }
   }
+  r.moves[v].are_vain = true;
   return r.done(Operation::move, Refusal::no_gain);
 }
 

@@ -171,6 +171,7 @@ void Refinement::commit(Proposal& c) {
   if (c.what != Proposal::Vertex::none) vertices_.add(c.vertex, vertices_.box_of(point(c.vertex)));
   for (const VertexId v : c.was.vertices()) {
     if (!has(in.vertices(), v)) vertices_.remove(v);
+    if (v < moves.size()) moves[v].are_vain = false;
   }
   // A vertex inside the new disk, or gone, is no longer on the mesh's boundary.
   for (const VertexId v : c.was.vertices()) {

@@ -113,8 +113,14 @@ class Refinement {
   // Vertices from this one on were inserted by this refinement; collapses leave them.
   const std::size_t inserted;
   SurfacePointFinder finder;
-  Proposal proposal;                     // the last one
-  std::vector<std::uint8_t> move_tries;  // per vertex, in this refinement; grows on demand
+  Proposal proposal;  // the last one
+  // Of a vertex, in this refinement. Moves are vain where every place was refused, until a facet at
+  // the vertex changes.
+  struct Moves {
+    std::uint8_t tries = 0;
+    bool are_vain = false;
+  };
+  std::vector<Moves> moves;  // grows on demand
 
   // Return facets in one scratch array, valid until the next of these calls: those around v, a
   // corner of f; and E, those connected to `start` whose surface balls hold p.

@@ -33,7 +33,7 @@ std::optional<Vec3> SurfacePointFinder::find(const Vec3& a, const Vec3& b, const
   const Vec3 normal = area / twice_area, center = circumcenter(a, b, c);
   // The circumcenter of a needle is far away, and so would x be: the longest edge is a limit too.
   const double limit = std::min(distance(center, a), std::sqrt(longest_edge2(a, b, c)));
-  const auto x = this->nearest(center, normal, limit, counters);
+  const auto x = nearest(center, normal, limit, counters);
   if (!x || distance(*x, center) <= kMaxTrustedHOverR * distance(center, a)) return x;
   // Far from the circumcenter x may lie on another sheet that faces as the facet does. Then a sheet
   // between the two faces the opposite way.
@@ -65,14 +65,14 @@ bool SurfacePointFinder::leads_to(const Vec3& p, const Vec3& q, const Vec3& norm
   return distance(last, q) <= farthest;
 }
 
-std::optional<Vec3> SurfacePointFinder::nearest(const Vec3& center, const Vec3& normal,
+std::optional<Vec3> SurfacePointFinder::nearest(const PatchAt& from, const Vec3& normal,
                                                 double limit, SearchCounters& counters) {
-  const auto first = surface_.nearest(center, normal, limit, counters);
+  const auto first = from.nearest(normal, limit, counters);
   if (!first) return std::nullopt;
   if (first->leaves) return first->point;
   // Rare: search all of the line within the limit.
-  const Segment chord{center - limit * normal, center + limit * normal};
-  surface_.intersect(chord, hits_, counters);
+  const Vec3& center = from.point();
+  surface_.intersect({center - limit * normal, center + limit * normal}, hits_, counters);
   const Hit* best = nullptr;
   for (const Hit& hit : hits_) {
     if (!hit.leaves) continue;
@@ -83,10 +83,11 @@ std::optional<Vec3> SurfacePointFinder::nearest(const Vec3& center, const Vec3& 
 
 std::optional<Vec3> SurfacePointFinder::foot(const Vec3& from, const Vec3& normal, double limit,
                                              SearchCounters& counters) {
-  const Vec3 gradient = surface_.gradient(from);
+  const PatchAt patch(surface_, from);
+  const Vec3 gradient = patch.gradient();
   const double steepness = length(gradient);
   if (!(steepness > 0)) return std::nullopt;
-  const auto x = this->nearest(from, (-1 / steepness) * gradient, limit, counters);
+  const auto x = nearest(patch, (-1 / steepness) * gradient, limit, counters);
   return x && faces_along(*x, normal) ? x : std::nullopt;
 }
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "isosurface/isosurface.h"
+#include "isosurface/patch_at.h"
 #include "surface/surface_mesh.h"
 
 namespace deliso {
@@ -31,7 +31,9 @@ class SurfacePointFinder {
   // Returns the nearest hit on the line center + t * normal, |t| <= limit, where Sigma faces along
   // the unit vector `normal`.
   std::optional<Vec3> nearest(const Vec3& center, const Vec3& normal, double limit,
-                              SearchCounters& counters);
+                              SearchCounters& counters) {
+    return nearest(PatchAt(surface_, center), normal, limit, counters);
+  }
 
   // Returns where the steepest line through `from` meets Sigma within `limit`. Nullopt if Sigma
   // does not face along `normal` there.
@@ -46,6 +48,8 @@ class SurfacePointFinder {
   bool on_one_sheet(const Vec3& p, const Vec3& q, const Vec3& normal, SearchCounters& counters);
 
  private:
+  std::optional<Vec3> nearest(const PatchAt& from, const Vec3& normal, double limit,
+                              SearchCounters& counters);
   bool faces_along(const Vec3& x, const Vec3& normal) const {
     return dot(surface_.gradient(x), normal) <= 0;
   }

@@ -5,6 +5,9 @@
 
 #include <doctest/doctest.h>
 
+#include <numeric>
+#include <utility>
+
 #include "refine/stage.h"
 #include "surface/criteria.h"
 
@@ -103,4 +106,30 @@ TEST_CASE("no vertex moves in a mesh without bad facets") {
     if (!is_dead(stage.mesh.faces[f])) CHECK(move_corner(stage.r, f));
   }
   CHECK(stage.snapshot() == before);
+}
+
+TEST_CASE("a vertex that can move nowhere waits until a facet at it changes") {
+  const Scene scene = builtin_scene("linked_tori", 20);
+  Stage stage(scene, {}, true);
+  OperationCounts& counts = stage.report[Operation::move];
+  Random random(3);
+  const auto displace = [&] {
+    for (FaceId f = 0; f < stage.mesh.faces.size(); ++f) {
+      const VertexId v = stage.mesh.faces[f].v[0];
+      const auto p = beside(stage, v, 0.5 * stage.parameters.r_min, random);
+      if (p && !stage.surface_mesh.chain.is_boundary(v)) push(stage, f, v, *p);
+    }
+  };
+  // Returns how many moves were done, and how many refused.
+  const auto try_all = [&] {
+    counts = {};
+    for (FaceId f = 0; f < stage.mesh.faces.size(); ++f) move_corner(stage.r, f);
+    return std::pair(counts.done, std::reduce(counts.refused.begin(), counts.refused.end()));
+  };
+  for (int n = 0; n < 2; ++n) {
+    displace();
+    CHECK(try_all().second > 0);
+    while (try_all().first > 0) continue;
+    CHECK(try_all().second == 0);
+  }
 }

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "base/random.h"
@@ -25,6 +27,23 @@ TEST_CASE("measures of a right triangle equal those computed by hand") {
   CHECK(s.r == doctest::Approx(2.5));
   CHECK(s.h == doctest::Approx(0.75));
   CHECK(s.l == doctest::Approx(3));
+}
+
+TEST_CASE("the obtuse corner is the one with a negative cosine") {
+  Random random(5);
+  std::array<int, 4> times{};
+  for (int n = 0; n < 1000; ++n) {
+    std::array<Vec3, 3> p;
+    for (Vec3& q : p) q = {random.uniform(), random.uniform(), random.uniform()};
+    int expected = 3;
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 &at = p[i], &next = p[(i + 1) % 3], &previous = p[(i + 2) % 3];
+      if (cosine_between(next - at, previous - at) < 0) expected = i;
+    }
+    CHECK(obtuse_corner(p[0], p[1], p[2]) == expected);
+    ++times[expected];
+  }
+  CHECK(*std::ranges::min_element(times) > 100);
 }
 
 TEST_CASE("each condition alone makes a facet bad, and the floors excuse it") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Distances along lines by the patch of one voxel, against the walk over voxels.
-#include "check/patch_at.h"
+// Points of Sigma along lines by the patch of one voxel, against the walk over voxels.
+#include "isosurface/patch_at.h"
 
 #include <doctest/doctest.h>
 
@@ -20,7 +20,8 @@ TEST_CASE("a patch finds the point of Sigma that the oracle finds") {
   const Volume volume = Volume::from_samples({9, 8, 7}, {1, 0.5, 2}, samples);
   const Isosurface surface(volume, 0.5);
   const Box3 box = volume.box().grown(0.1);
-  std::size_t found = 0;
+  SearchCounters patches, walks;
+  int own = 0;
   for (int n = 0; n < 20000; ++n) {
     Vec3 p, direction;
     for (int axis = 0; axis < 3; ++axis) {
@@ -31,15 +32,23 @@ TEST_CASE("a patch finds the point of Sigma that the oracle finds") {
     CHECK(distance(patch.gradient(), surface.gradient(p)) < 1e-12);
     if (n % 3 == 0) direction = patch.gradient();
     const double limit = n % 2 == 0 ? 3 : 0.2;
-    SearchCounters counters;
-    const double d = patch.distance_along(direction, limit, counters);
-    const auto hit = surface.nearest(p, direction / length(direction), limit, counters);
+    const double d = patch.distance_along(direction, limit, patches);
+    const Vec3 unit = direction / length(direction);
+    const auto found = patch.nearest(unit, limit, patches);
+    const auto hit = surface.nearest(p, unit, limit, walks);
+    REQUIRE(found.has_value() == hit.has_value());
     REQUIRE(std::isfinite(d) == hit.has_value());
     if (!hit) continue;
     CHECK(std::fabs(d - std::fabs(hit->t)) < 1e-9);
-    found += counters.searches == 1;  // the patch alone sufficed
+    CHECK(distance(found->point, hit->point) < 1e-9);
+    CHECK(std::fabs(volume.value(found->point) - surface.kappa()) < 1e-9);
+    CHECK(found->leaves == hit->leaves);
+    own += found->t != hit->t;  // not from a walk: rounded otherwise
   }
-  CHECK(found > 1000);
+  CHECK(walks.searches_with_hit > 1000);
+  CHECK(patches.searches == 2 * walks.searches);
+  CHECK(patches.searches_with_hit == 2 * walks.searches_with_hit);
+  CHECK(own > 1000);
   const PatchAt patch(surface, {4, 2, 6});
   SearchCounters counters;
   CHECK(patch.distance_along({0, 0, 0}, 9, counters) == kInfinity);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "check/patch_at.h"
+#include "isosurface/patch_at.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,22 +14,21 @@ constexpr double kRoundingRoom = 1e-9;  // more than the rounding of a distance,
 constexpr double kBeyond = std::numeric_limits<double>::infinity();
 
 Corners corners_above(const Isosurface& surface, Index3 voxel) {
-  Corners c = surface.volume().corners(voxel);
-  for (double& value : c) value -= surface.kappa();
-  return c;
+  const Volume& volume = surface.volume();
+  const std::size_t n = volume.index(voxel.i, voxel.j, voxel.k);
+  const std::size_t dy = volume.dims().i, dz = dy * volume.dims().j;
+  return volume.visit([&](const auto* s) { return corners_from(s + n, dy, dz, surface.kappa()); });
 }
 
 }  // namespace
 
 PatchAt::PatchAt(const Isosurface& surface, const Vec3& p)
-    : PatchAt(surface, p, surface.volume().voxel_at(p)) {}
+    : PatchAt(surface, p, surface.units().point(p),
+              surface.units().voxel_at(surface.units().point(p))) {}
 
-PatchAt::PatchAt(const Isosurface& surface, const Vec3& p, Index3 voxel)
-    : surface_(surface), p_(p), patch_(corners_above(surface, voxel)) {
-  const Volume& volume = surface.volume();
+PatchAt::PatchAt(const Isosurface& surface, const Vec3& p, const Vec3& u, Index3 voxel)
+    : surface_(surface), p_(p), patch_(corners_above(surface, voxel)), u_(u - to_vec3(voxel)) {
   for (int axis = 0; axis < 3; ++axis) {
-    per_spacing_[axis] = 1 / volume.spacing()[axis];
-    u_[axis] = volume.in_samples(p, axis) - voxel[axis];
     room_[axis] = std::min(u_[axis], 1 - u_[axis]);  // negative outside of the box
     u_[axis] = std::clamp(u_[axis], 0.0, 1.0);
   }
@@ -37,13 +36,22 @@ PatchAt::PatchAt(const Isosurface& surface, const Vec3& p, Index3 voxel)
   slope_ = patch_.gradient(u_);
 }
 
+std::optional<Hit> PatchAt::nearest(const Vec3& direction, double limit,
+                                    SearchCounters& counters) const {
+  const auto t = parameter_within(direction, limit);
+  if (!t) return surface_.nearest(p_, direction, limit, counters);
+  const bool is_hit = std::fabs(*t) <= limit;
+  counters.count_search(1, is_hit);
+  // The cubic is monotone up to the hit.
+  return is_hit ? std::optional(Hit{*t, p_ + *t * direction, dot(gradient(), direction) < 0})
+                : std::nullopt;
+}
+
 double PatchAt::parameter_along(const Vec3& direction, double limit,
                                 SearchCounters& counters) const {
   const double size = length(direction);
   if (!(size > 0) || !std::isfinite(size)) return kBeyond;
-  const Vec3 unit = direction / size;
-  if (const auto t = parameter_within(unit, limit)) return std::fabs(*t) <= limit ? *t : kBeyond;
-  const auto hit = surface_.nearest(p_, unit, limit, counters);
+  const auto hit = nearest(direction / size, limit, counters);
   return hit ? hit->t : kBeyond;
 }
 
@@ -51,7 +59,7 @@ double PatchAt::parameter_along(const Vec3& direction, double limit,
 // Sigma, and the cubic is monotone on them: then there is just that one. Or it holds all points
 // within the limit, and they are too few for the cubic to become 0.
 std::optional<double> PatchAt::parameter_within(const Vec3& direction, double limit) const {
-  const Vec3 w = times(direction, per_spacing_);
+  const Vec3 w = surface_.units().vector(direction);
   const TrilinearPatch::Cubic f = patch_.along(u_, value_, slope_, w);
   const auto holds = [&](double d) {
     return std::fabs(w.x) * d < room_.x && std::fabs(w.y) * d < room_.y &&

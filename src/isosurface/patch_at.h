@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The trilinear interpolant around a point, in its voxel, expanded at the point. Along a line
-// through the point it is a cubic in powers of the distance. Most points that a check measures are
+// through the point it is a cubic in powers of the distance. Most points that are asked about are
 // so near to Sigma that this cubic alone tells the distance, without a walk over voxels.
 #pragma once
 
 #include <cmath>
 #include <optional>
 
-#include "contour/voxel_point.h"
 #include "isosurface/isosurface.h"
+#include "volume/trilinear_patch.h"
 
 namespace deliso {
 
@@ -17,8 +17,12 @@ class PatchAt {
   // Keeps a reference: the surface must outlive the patch.
   PatchAt(const Isosurface& surface, const Vec3& p);
 
+  const Vec3& point() const { return p_; }
   // Returns the gradient of g at the point, clamped to the box.
-  Vec3 gradient() const { return times(slope_, per_spacing_); }
+  Vec3 gradient() const { return surface_.units().vector(slope_); }
+
+  // Returns what Isosurface::nearest() returns from the point, but for rounding.
+  std::optional<Hit> nearest(const Vec3& direction, double limit, SearchCounters& counters) const;
 
   // Returns where the point of Sigma nearest along the line in this direction is, at a signed
   // distance; infinite if it is further than `limit`, or if the direction has no length or is not
@@ -30,14 +34,15 @@ class PatchAt {
   }
 
  private:
-  PatchAt(const Isosurface& surface, const Vec3& p, Index3 voxel);  // which holds p
+  // `u`: the point in units of voxels; `voxel` holds it.
+  PatchAt(const Isosurface& surface, const Vec3& p, const Vec3& u, Index3 voxel);
   std::optional<double> parameter_within(const Vec3& direction, double limit) const;
 
   const Isosurface& surface_;
   Vec3 p_;
   TrilinearPatch patch_;
   // In units of voxels. `u_` lies in the voxel; `room_`: from the point to the voxel's nearer face.
-  Vec3 per_spacing_, u_, room_;
+  Vec3 u_, room_;
   double value_;  // less kappa
   Vec3 slope_;
 };
