@@ -96,7 +96,7 @@ Block finished(const BlockRun& run, Block whole, const IsDue& is_due, const Para
                Report& report) {
   if (run.grid.cells() != Index3{1, 1, 1}) {
     if (!run.options.stop_after_stage1) refine_seams(run, whole, is_due, given.observer);
-    order_by_place(whole, run.grid, run.source.shape);
+    order_by_place(whole, run.grid, run.source.shape, run.options.threads);
   }
   report.add(whole.report);
   require_room(whole, given);
