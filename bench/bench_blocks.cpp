@@ -2,7 +2,7 @@
 // Times each block of a run, and each box of the seams, in one thread; says how long 2, 4, 8 and 16
 // threads would take; and measures two beside it. The model has one queue of tasks, in the order of
 // the program, and no other limit: no shared cache, no shared memory bandwidth. What is done
-// between two sets of boxes, and before and after all, is counted for one thread.
+// between two rounds of boxes, and before and after all, is counted for one thread.
 //   bench_blocks [INPUT ISOVALUE ...]
 // Inputs as for `deliso`; by default built-in fields, about a minute.
 #include <algorithm>
@@ -31,7 +31,8 @@ double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
 }
 
-// The times of tasks that may run side by side: one set for the blocks, one for each set of boxes.
+// The times of tasks that may run side by side: one set for the blocks, one for each round of
+// boxes.
 class TaskTimes : public Observer {
  public:
   void stage_begins(const char* stage) override {
@@ -61,20 +62,15 @@ class TaskTimes : public Observer {
   // Returns the seconds that the sets would take one after the other.
   double in_threads(int threads) const {
     double all = 0;
-    // Boxes come in sets of 8 for each thread; in one thread that is 8.
-    for (std::size_t begin = 0; begin < sets_.size();) {
-      std::size_t end = begin + 1;
-      if (begin > 0) end = std::min(sets_.size(), begin + static_cast<std::size_t>(threads));
+    for (const std::vector<double>& set : sets_) {
       std::priority_queue<double, std::vector<double>, std::greater<>> free_at;
       for (int t = 0; t < threads; ++t) free_at.push(0);
       double last = 0;
-      for (; begin < end; ++begin) {
-        for (const double seconds : sets_[begin]) {
-          const double done = free_at.top() + seconds;
-          free_at.pop();
-          free_at.push(done);
-          last = std::max(last, done);
-        }
+      for (const double seconds : set) {
+        const double done = free_at.top() + seconds;
+        free_at.pop();
+        free_at.push(done);
+        last = std::max(last, done);
       }
       all += last;
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "base/parallel.h"
@@ -35,33 +36,18 @@ constexpr double kLeastGrowth = 1.2, kMostGrowth = 3, kLeastFall = 0.25, kMostFa
 // Along each axis, of volumes whose samples decide the grid.
 constexpr int kMostFollowedVoxels = 512;
 
-// Crossings are estimated from every so many rows of samples.
-constexpr int kRowStride = 4;
-
-// Returns about how many grid edges along x the surface crosses in the box, less all but every
-// 16th: the weight of a block's work.
-std::size_t weight_of(const Volume& volume, double kappa, const SampleBox& box) {
-  const Index3 first = volume.first();
-  return volume.visit([&](const auto* samples) {
-    std::size_t crossings = 1;
-    for (int k = box.begin.k - first.k; k <= box.end.k - first.k; k += kRowStride) {
-      for (int j = box.begin.j - first.j; j <= box.end.j - first.j; j += kRowStride) {
-        const auto* row = samples + volume.index(box.begin.i - first.i, j, k);
-        for (int i = 0; i < box.end.i - box.begin.i; ++i) {
-          crossings +=
-              (static_cast<double>(row[i]) >= kappa) != (static_cast<double>(row[i + 1]) >= kappa);
-        }
-      }
-    }
-    return crossings;
-  });
+// Returns the work in the volume if the grid follows from it.
+std::optional<SurfaceWork> deciding_work(const VolumeSource& source, double kappa,
+                                         const Options& options, const Parameters& parameters) {
+  if (follower(parameters.observer) || !grid_follows_surface(source.shape, options)) return {};
+  return SurfaceWork(source, kappa, options.threads);
 }
 
-BlockGrid grid_for(const Options& options, const Parameters& parameters, const VolumeSource& source,
-                   double kappa) {
+BlockGrid grid_for(const std::optional<SurfaceWork>& work, const Volume& shape,
+                   const Options& options, const Parameters& parameters) {
+  if (work) return BlockGrid(planes_at_equal_shares(*work));
   // Who follows insertions sees them in one order.
-  return follower(parameters.observer) ? BlockGrid(source.shape, 0)
-                                       : block_grid(source, kappa, options);
+  return follower(parameters.observer) ? BlockGrid(shape, 0) : block_grid(shape, options);
 }
 
 Parameters in_block(const Parameters& given, bool is_divided) {
@@ -96,7 +82,7 @@ Block finished(const BlockRun& run, Block whole, const IsDue& is_due, const Para
                Report& report) {
   if (run.grid.cells() != Index3{1, 1, 1}) {
     if (!run.options.stop_after_stage1) refine_seams(run, whole, is_due, given.observer);
-    order_by_place(whole, run.grid, run.source.shape);
+    order_by_place(whole, run.grid, run.source.shape, run.options.threads);
   }
   report.add(whole.report);
   require_room(whole, given);
@@ -110,7 +96,8 @@ class BlockMesher {
               Report& report)
       : options_(options),
         given_(parameters),
-        grid_(grid_for(options, parameters, source, kappa)),
+        work_(deciding_work(source, kappa, options, parameters)),
+        grid_(grid_for(work_, source.shape, options, parameters)),
         cells_(grid_.boxes()),
         part_(part),
         own_(cells_of(part, cells_.size())),
@@ -143,17 +130,13 @@ class BlockMesher {
   }
 
  private:
-  // Calls work(block) for all blocks, those with the most crossings first.
+  // Calls work(block) for all blocks, those with the most work first, if it is known.
   template <class Work>
   void for_each_block(Work&& work) {
     std::vector<std::size_t> numbers(blocks_.size());
     std::iota(numbers.begin(), numbers.end(), std::size_t{0});
     std::vector<std::size_t> weight(blocks_.size(), 1);
-    if (const std::optional<Volume>& volume = run_.source.in_memory) {
-      for_each_task(options_.threads, numbers.size(), [&](std::size_t n) {
-        weight[numbers[n]] = weight_of(*volume, run_.kappa, blocks_[numbers[n]].box);
-      });
-    }
+    for (std::size_t n = 0; work_ && n < weight.size(); ++n) weight[n] += work_->in(blocks_[n].box);
     std::ranges::stable_sort(numbers, std::ranges::greater(),
                              [&](std::size_t n) { return weight[n]; });
     Observer* const observer = cells_.size() > 1 ? given_.observer : nullptr;
@@ -247,6 +230,7 @@ class BlockMesher {
 
   const Options options_;
   const Parameters& given_;
+  const std::optional<SurfaceWork> work_;
   const BlockGrid grid_;
   const std::vector<SampleBox> cells_;
   const PartChoice part_;
@@ -284,7 +268,8 @@ Block mesh_in_blocks(const VolumeSource& source, double kappa, const Options& op
 
 Block join_parts(const VolumeSource& source, double kappa, const Options& options,
                  const Parameters& parameters, std::vector<Block> parts, Report& report) {
-  const BlockGrid grid = grid_for(options, parameters, source, kappa);
+  const BlockGrid grid = grid_for(deciding_work(source, kappa, options, parameters), source.shape,
+                                  options, parameters);
   const Parameters in_blocks = in_block(parameters, true);
   const BlockRun run{source, kappa, options, in_blocks, grid};
   const std::size_t cells = grid.boxes().size();

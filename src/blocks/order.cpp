@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
-#include <tuple>
+#include <utility>
 #include <vector>
+
+#include "base/parallel.h"
 
 namespace deliso {
 namespace {
@@ -20,31 +22,28 @@ IdArray<Id, T> in_order(const IdArray<Id, T>& old, const std::vector<Id>& order)
   return ordered;
 }
 
-std::vector<VertexId> vertex_order(const TriMesh& mesh, const BlockGrid& grid,
-                                   const Volume& shape) {
+std::vector<VertexId> vertex_order(const TriMesh& mesh, const BlockGrid& grid, const Volume& shape,
+                                   int threads) {
   IdArray<VertexId, std::uint8_t> is_used(mesh.points.size(), 0);
   for (const Face& face : mesh.faces) {
     if (is_dead(face)) continue;
     for (const VertexId v : face.v) is_used[v] = 1;
   }
-  struct Placed {
-    std::size_t cell;
-    Vec3 at;
-    VertexId vertex;
-  };
-  std::vector<Placed> placed;
-  placed.reserve(mesh.points.size());
+  const Index3 cells = grid.cells();
+  std::vector<std::vector<VertexId>> of_cell(std::size_t(cells.i) * cells.j * cells.k);
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
     if (is_used[v] == 0) continue;
-    const Vec3& p = mesh.points[v];
-    placed.push_back({grid.number_of(grid.cell_of(shape.voxel_at(p))), p, v});
+    of_cell[grid.number_of(grid.cell_of(shape.voxel_at(mesh.points[v])))].push_back(v);
   }
-  std::ranges::sort(placed, {}, [](const Placed& p) {
-    return std::tuple(p.cell, by_place(p.at), p.vertex.number());
+  for_each_task(threads, of_cell.size(), [&](std::size_t n) {
+    std::ranges::sort(of_cell[n], {},
+                      [&](VertexId v) { return std::pair(by_place(mesh.points[v]), v.number()); });
   });
   std::vector<VertexId> order;
-  order.reserve(placed.size());
-  for (const Placed& p : placed) order.push_back(p.vertex);
+  order.reserve(mesh.points.size());
+  for (const std::vector<VertexId>& cell : of_cell) {
+    order.insert(order.end(), cell.begin(), cell.end());
+  }
   return order;
 }
 
@@ -69,10 +68,10 @@ std::vector<FaceId> facet_order(const IdArray<FaceId, Face>& faces, std::size_t 
   return order;
 }
 
-void order_by_place(Block& block, const BlockGrid& grid, const Volume& shape) {
+void order_by_place(Block& block, const BlockGrid& grid, const Volume& shape, int threads) {
   SurfaceMesh& s = block.mesh;
   TriMesh& mesh = s.mesh;
-  const std::vector<VertexId> vertices = vertex_order(mesh, grid, shape);
+  const std::vector<VertexId> vertices = vertex_order(mesh, grid, shape, threads);
   std::vector<VertexId> new_id(mesh.points.size(), kNoId);
   for (VertexId v = 0; v < vertices.size(); ++v) new_id[vertices[v.number()]] = v;
   mesh.points = in_order(mesh.points, vertices);

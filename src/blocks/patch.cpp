@@ -2,7 +2,7 @@
 #include "blocks/patch.h"
 
 #include <algorithm>
-#include <map>
+#include <span>
 #include <utility>
 
 #include "base/sorted_list.h"
@@ -11,19 +11,23 @@
 namespace deliso {
 namespace {
 
-// Returns the place of an id of the whole in the list; kNoId if it is not there.
+// The places of some ids of the whole in a list of them.
 template <class Id>
-Id place_in(const std::map<Id, Id>& places, Id in_whole) {
-  const auto at = places.find(in_whole);
-  return at != places.end() ? at->second : Id(kNoId);
-}
+class PlacesIn {
+ public:
+  explicit PlacesIn(std::span<const Id> list) {
+    for (std::size_t n = 0; n < list.size(); ++n) places_.emplace_back(list[n], Id(n));
+    std::ranges::sort(places_);
+  }
+  // Returns kNoId if it is not there.
+  Id operator[](Id in_whole) const {
+    const auto at = std::ranges::lower_bound(places_, in_whole, {}, &std::pair<Id, Id>::first);
+    return at != places_.end() && at->first == in_whole ? at->second : Id(kNoId);
+  }
 
-template <class Id>
-std::map<Id, Id> places_in(std::span<const Id> list) {
-  std::map<Id, Id> places;
-  for (std::size_t n = 0; n < list.size(); ++n) places[list[n]] = Id(n);
-  return places;
-}
+ private:
+  std::vector<std::pair<Id, Id>> places_;
+};
 
 // Returns for the elements of a patch, of which `ids` are those of the whole before, their ids in
 // the whole. New ones get those of removed ones, then ids from `size` on, which is increased.
@@ -51,38 +55,29 @@ void grow(Array& array, std::size_t size) {
 }  // namespace
 
 void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places) {
-  const auto holds = [&](VertexId v) { return patch.free_box.holds(whole.mesh.points[v]); };
+  const auto holds = [&](VertexId v) { return places.of_vertex[v] == patch.place; };
   std::vector<VertexId>& vertices = patch.vertices;
   std::vector<VertexId> held;
   for (const FaceId f : patch.facets) {
     for (const VertexId v : whole.mesh.faces[f].v) {
-      if (holds(v)) {
-        places.vertex[v] = kNoId;
-      } else {
+      if (!holds(v)) {
         vertices.push_back(v);
+      } else if (std::exchange(places.vertex[v], VertexId(0)) == kNoId) {
+        held.push_back(v);
       }
     }
   }
   sort_unique(vertices);
-  for (const FaceId f : patch.facets) {
-    for (const VertexId v : whole.mesh.faces[f].v) {
-      if (!holds(v) || places.vertex[v] != kNoId) continue;
-      places.vertex[v] = 0;
-      held.push_back(v);
-    }
-  }
   const auto place = [&](VertexId v) {
     return std::pair(by_place(whole.mesh.points[v]), v.number());
   };
   std::ranges::sort(vertices, {}, place);
   std::ranges::sort(held, {}, place);
-  const VertexId first_held(vertices.size());
-  const std::map<VertexId, VertexId> outside = places_in(std::span<const VertexId>(vertices));
+  const PlacesIn<VertexId> outside(vertices);
+  patch.first_held = VertexId(vertices.size());
   vertices.insert(vertices.end(), held.begin(), held.end());
-  for (VertexId v = first_held; v < vertices.size(); ++v) places.vertex[vertices[v]] = v;
-  const auto local_vertex = [&](VertexId v) {
-    return holds(v) ? places.vertex[v] : place_in(outside, v);
-  };
+  for (VertexId v = patch.first_held; v < vertices.size(); ++v) places.vertex[vertices[v]] = v;
+  const auto local_vertex = [&](VertexId v) { return holds(v) ? places.vertex[v] : outside[v]; };
 
   IdArray<FaceId, Face> faces;
   faces.reserve(patch.facets.size());
@@ -94,26 +89,28 @@ void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places
   // A frozen facet has a vertex outside, so those come first.
   std::vector<FaceId> facets;
   SurfaceMesh& s = patch.mesh;
+  facets.reserve(faces.size());
+  s.mesh.faces.reserve(faces.size());
+  s.duals.reserve(faces.size());
   patch.free_box.first_free = 0;
   for (const FaceId n : facet_order(faces, vertices.size())) {
     const FaceId f = patch.facets[n.number()], own(facets.size());
     facets.push_back(f);
     s.mesh.faces.push_back(faces[n]);
     s.duals.push_back(whole.duals[f]);
-    if (faces[n].v[0] < first_held) {
+    if (faces[n].v[0] < patch.first_held) {
       ++patch.free_box.first_free;
     } else {
       places.facet[f] = own;
     }
   }
   patch.facets = std::move(facets);
-  const std::map<FaceId, FaceId> frozen =
-      places_in(std::span<const FaceId>(patch.facets).first(patch.free_box.first_free.number()));
-  const auto is_free = [&](FaceId f) { return std::ranges::all_of(whole.mesh.faces[f].v, holds); };
+  const PlacesIn<FaceId> frozen(
+      std::span<const FaceId>(patch.facets).first(patch.free_box.first_free.number()));
   for (const VertexId v : vertices) s.mesh.points.push_back(whole.mesh.points[v]);
   for (Face& face : s.mesh.faces) {
     for (FaceId& g : face.n) {
-      if (g != kNoId) g = is_free(g) ? places.facet[g] : place_in(frozen, g);
+      if (g != kNoId) g = places.of_facet[g] == patch.place ? places.facet[g] : frozen[g];
     }
   }
   // The ends of an open chain are their own neighbors.
@@ -133,9 +130,7 @@ std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshPatch& patch) {
   const TriMesh& part = patch.mesh.mesh;
   const BoundaryChain& chain = patch.mesh.chain;
   const std::size_t old_vertices = patch.vertices.size();
-  const auto is_held = [&](VertexId v) {
-    return v >= old_vertices || patch.free_box.holds(whole.mesh.points[patch.vertices[v]]);
-  };
+  const auto is_held = [&](VertexId v) { return v >= patch.first_held; };
   std::vector<std::uint8_t> is_used(part.points.size(), 0);
   for (const Face& face : part.faces) {
     if (is_dead(face)) continue;

@@ -13,12 +13,14 @@
 namespace deliso {
 
 struct MeshPatch {
+  std::uint32_t place = 0;  // of its free box, as PlacesInPatches has it
   FreeBox free_box;
   // In the whole mesh: the frozen facets, then those in the free box; the vertices outside the
   // free box, then those in it. Each in the order of their places, so that what is done to the
   // patch does not depend on the whole's ids.
   std::vector<FaceId> facets;
   std::vector<VertexId> vertices;
+  VertexId first_held = 0;  // in `vertices`: the first in the free box
   // Its own mesh, by extract(). The chain may be open: then its ends are their own neighbors.
   SurfaceMesh mesh;
   // What of it is coarsened (CoarsenScope) and refined (RefineScope), and what was done.
@@ -28,15 +30,20 @@ struct MeshPatch {
   Report report;
 };
 
-// The numbers of facets and vertices in the one patch whose free box holds them.
+// Of a whole mesh that is divided into places; some are the free boxes of patches.
 struct PlacesInPatches {
-  IdArray<FaceId, FaceId> facet;
+  // The place of each vertex and facet; kNoId: a facet has vertices in several.
+  IdArray<VertexId, std::uint32_t> of_vertex;
+  IdArray<FaceId, std::uint32_t> of_facet;
+  // Their numbers in the patch whose free box holds them, if they are in one. At first kNoId.
   IdArray<VertexId, VertexId> vertex;
+  IdArray<FaceId, FaceId> facet;
 };
 
 // Puts patch.facets in order, and sets the free box's first_free, patch.vertices and patch.mesh;
-// facets begin with their first vertex in that order. Writes only the places of what the patch's
-// free box holds, so several patches may be extracted at once.
+// facets begin with their first vertex in that order. Writes only the numbers of what the patch's
+// free box holds, so several patches may be extracted at once. pre: patch.facets has all facets in
+// the free box.
 void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places);
 
 // Copies the patch's facets in its free box back. New vertices and facets get the ids of removed

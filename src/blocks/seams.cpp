@@ -20,8 +20,8 @@ namespace {
 // Half the thickness of the boxes of each round, in samples; at most this share of a block's side.
 constexpr std::array kHalfSamples{8.0, 12.0, 16.0};
 constexpr std::array kMaxShares{0.25, 0.375, 0.5};
-// Boxes at work at once, for each thread: bounds the memory of those that are not put back yet.
-constexpr std::size_t kPatchesPerThread = 8;
+// Vertices or facets that one task looks at.
+constexpr std::size_t kGrain = 1 << 14;
 
 // The boxes of a round. The planes between blocks cut an axis into intervals: even ones lie between
 // planes, odd ones around one. A box has a number of an interval for each axis.
@@ -145,23 +145,18 @@ class SeamWork {
 
   void round(std::size_t number) {
     const RoundBoxes boxes(run_, number);
+    find_places(boxes);
     std::vector<MeshPatch> patches = patches_of(boxes);
-    places_.facet.resize(whole_.mesh.mesh.faces.size());
-    places_.vertex.resize(whole_.mesh.mesh.points.size());
-    std::size_t boxes_left = patches.size();
-    const std::size_t batch = kPatchesPerThread * std::max(threads_, 1);
-    for (std::size_t begin = 0; begin < patches.size(); begin += batch) {
-      const std::size_t count = std::min(batch, patches.size() - begin);
-      begin_stage(observer_, "seams");
-      std::mutex mutex;
-      for_each_task(threads_, count, [&](std::size_t n) {
-        refine_patch(patches[begin + n]);
-        const std::lock_guard lock(mutex);
-        ++boxes_done_;
-        if (observer_) observer_->steps_done(boxes_done_, --boxes_left);
-      });
-      for (std::size_t n = begin; n < begin + count; ++n) take(std::exchange(patches[n], {}));
-    }
+    begin_stage(observer_, "seams");
+    std::mutex mutex;
+    std::size_t left = patches.size();
+    for_each_task(threads_, patches.size(), [&](std::size_t n) {
+      refine_patch(patches[n]);
+      const std::lock_guard lock(mutex);
+      ++boxes_done_;
+      if (observer_) observer_->steps_done(boxes_done_, --left);
+    });
+    for (MeshPatch& patch : patches) take(std::exchange(patch, {}));
   }
 
  private:
@@ -171,37 +166,56 @@ class SeamWork {
     return box_of(p[v[0]], p[v[1]], p[v[2]]);
   }
 
+  // Sets the places of all vertices and facets; dead ones are at place 0, which is no box.
+  void find_places(const RoundBoxes& boxes) {
+    const TriMesh& mesh = whole_.mesh.mesh;
+    places_.vertex.assign(mesh.points.size(), kNoId);
+    places_.facet.assign(mesh.faces.size(), kNoId);
+    places_.of_vertex.resize(mesh.points.size());
+    places_.of_facet.resize(mesh.faces.size());
+    for_each_run(threads_, mesh.points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (VertexId v(begin); v < end; ++v) {
+        places_.of_vertex[v] = static_cast<std::uint32_t>(boxes.at(mesh.points[v]));
+      }
+    });
+    for_each_run(threads_, mesh.faces.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (FaceId f(begin); f < end; ++f) {
+        const Triangle& t = mesh.faces[f].v;
+        const auto at = [&](int i) { return places_.of_vertex[t[i]]; };
+        places_.of_facet[f] = is_dead(mesh.faces[f])             ? 0
+                              : at(0) == at(1) && at(0) == at(2) ? at(0)
+                                                                 : std::uint32_t{kNoId};
+      }
+    });
+  }
+
   // Returns the boxes with open facets, and what lies in them.
   std::vector<MeshPatch> patches_of(const RoundBoxes& boxes) {
-    const IdArray<FaceId, Face>& faces = whole_.mesh.mesh.faces;
-    IdArray<VertexId, std::uint32_t> at;
-    for (const Vec3& p : whole_.mesh.mesh.points) {
-      at.push_back(static_cast<std::uint32_t>(boxes.at(p)));
-    }
-    const auto for_each_box = [&](FaceId f, auto&& visit) {
-      const Triangle& v = faces[f].v;
-      if (at[v[0]] != at[v[1]] || at[v[0]] != at[v[2]]) {
+    const auto for_each_place = [&](FaceId f, auto&& visit) {
+      if (const std::uint32_t place = places_.of_facet[f]; place != kNoId) {
+        visit(place);
+      } else {
         boxes.for_each(box_of_facet(f), visit);
-      } else if (boxes.is_box(at[v[0]])) {
-        visit(at[v[0]]);
       }
     };
+    const std::size_t facets = places_.of_facet.size();
     std::vector<std::uint32_t> number(boxes.size(), kNoId);
+    for (FaceId f = 0; f < facets; ++f) {
+      if (is_open_[f] != 0) for_each_place(f, [&](std::size_t place) { number[place] = 0; });
+    }
     std::vector<MeshPatch> patches;
-    for (FaceId f = 0; f < faces.size(); ++f) {
-      if (is_open_[f] == 0 || is_dead(faces[f])) continue;
-      for_each_box(f, [&](std::size_t box) { number[box] = 0; });
+    for (std::uint32_t place = 0; place < number.size(); ++place) {
+      if (number[place] == kNoId) continue;
+      const bool is_due = boxes.is_box(place) && is_due_(boxes.cells(place));
+      number[place] = is_due ? static_cast<std::uint32_t>(patches.size()) : std::uint32_t{kNoId};
+      if (!is_due) continue;
+      MeshPatch& patch = patches.emplace_back();
+      patch.place = place;
+      patch.free_box = boxes.free_box(place);
     }
-    for (std::size_t box = 0; box < number.size(); ++box) {
-      if (number[box] != kNoId && !is_due_(boxes.cells(box))) number[box] = kNoId;
-      if (number[box] == kNoId) continue;
-      number[box] = static_cast<std::uint32_t>(patches.size());
-      patches.emplace_back().free_box = boxes.free_box(box);
-    }
-    for (FaceId f = 0; f < faces.size(); ++f) {
-      if (is_dead(faces[f])) continue;
-      for_each_box(f, [&](std::size_t box) {
-        if (number[box] != kNoId) patches[number[box]].facets.push_back(f);
+    for (FaceId f = 0; f < facets; ++f) {
+      for_each_place(f, [&](std::size_t place) {
+        if (number[place] != kNoId) patches[number[place]].facets.push_back(f);
       });
     }
     // A sample goes to the box that holds all facets which may be near enough to it.
@@ -220,11 +234,8 @@ class SeamWork {
   void refine_patch(MeshPatch& patch) {
     extract(whole_.mesh, patch, places_);
     for (const FaceId f : patch.facets) patch.is_done.push_back(is_open_[f] == 0);
-    for (VertexId v = 0; v < patch.vertices.size(); ++v) {
-      const VertexId in_whole = patch.vertices[v];
-      if (may_thin_[in_whole] != 0 && patch.free_box.holds(whole_.mesh.mesh.points[in_whole])) {
-        patch.first.push_back(v);
-      }
+    for (VertexId v = patch.first_held; v < patch.vertices.size(); ++v) {
+      if (may_thin_[patch.vertices[v]] != 0) patch.first.push_back(v);
     }
     const BoxSurface at(run_.source.read(samples_around(run_, patch.free_box)), run_.kappa);
     const BoundaryCurves curves(at.surface, whole_.loops);
@@ -238,8 +249,8 @@ class SeamWork {
 
   void take(MeshPatch patch) {
     const std::size_t old = patch.facets.size();
-    for (const VertexId v : patch.vertices) {
-      if (patch.free_box.holds(whole_.mesh.mesh.points[v])) may_thin_[v] = 0;
+    for (VertexId v = patch.first_held; v < patch.vertices.size(); ++v) {
+      may_thin_[patch.vertices[v]] = 0;
     }
     const std::vector<FaceId> facets = put_back(whole_.mesh, patch);
     is_open_.resize(whole_.mesh.mesh.faces.size(), 0);

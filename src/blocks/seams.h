@@ -30,7 +30,7 @@ inline constexpr int kSeamMarginSamples = 4;
 
 // Coarsens and refines at the seams of welded blocks, in the boxes that are due. Dead facets and
 // unused vertices stay. Adds what was done to whole.report. Tells the observer, which may be null,
-// of each box; stage "seams" begins whenever boxes are refined side by side.
+// of each box; stage "seams" begins with each round.
 void refine_seams(const BlockRun& run, Block& whole, const IsDue& is_due, Observer* observer);
 
 }  // namespace deliso
