@@ -185,10 +185,12 @@ std::vector<std::uint8_t> check_vertices_on_surface(
       }
       on_surface[v] = off[v] == 0;
       if (!on_surface[v]) continue;
-      const std::vector<std::uint32_t> here = voxels.at(p);
-      if (!here.empty() && !std::ranges::binary_search(here, compared.match[m])) {
-        elsewhere[v] = here[0];
-      }
+      bool is_here = false;
+      voxels.for_each_component_at(p, [&](std::uint32_t c) {
+        is_here |= c == compared.match[m];
+        elsewhere[v] = std::min(elsewhere[v], c);
+      });
+      if (is_here) elsewhere[v] = kNoId;
     }
   });
   for (VertexId v = 0; v < off.size(); ++v) {
@@ -262,16 +264,11 @@ void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<double>
   }
 }
 
-// What is known of Sigma from T.
-struct OfContour {
-  std::vector<Vec3> samples;      // its vertices on the components that the mesh is to have
-  std::optional<FreeSpace> free;  // for the triangulation, if asked for
-};
-
-// `off`: a bound on the distance of each triangle from Sigma.
-OfContour compare_topology(const CleanMesh& mesh, const TriangleTree& tree,
-                           const std::vector<double>& off, const Isosurface& surface,
-                           const VerifyOptions& options, Verification& result) {
+// Returns the vertices of T on the components that the mesh is to have. `off`: a bound on the
+// distance of each triangle from Sigma.
+std::vector<Vec3> compare_topology(const CleanMesh& mesh, const TriangleTree& tree,
+                                   const std::vector<double>& off, const Isosurface& surface,
+                                   const VerifyOptions& options, Verification& result) {
   const Volume& volume = surface.volume();
   ContourMesh contour = build_contour(volume, surface.kappa());
   const VoxelComponents voxels(contour, volume, result.surface_tolerance);
@@ -287,9 +284,7 @@ OfContour compare_topology(const CleanMesh& mesh, const TriangleTree& tree,
     check_triangles_on_surface(mesh, off, on_surface, contour, voxels, surface, result);
   }
   keep_components(contour, compared.kept);
-  OfContour known{std::move(contour.points), {}};
-  if (options.triangulate) known.free.emplace(voxels, volume);
-  return known;
+  return std::move(contour.points);
 }
 
 // If a least share is required, an unmeasured share is a fault. A lower share is a fault if there
@@ -460,16 +455,15 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
       distances_to_surface(clean, surface, search_limit(volume), {bound, r_min}, threads, &off);
   result.seconds_distances = watch.restart();
   report_progress(0.6);
-  const OfContour contour = compare_topology(clean, tree, off, surface, options, result);
+  const std::vector<Vec3> samples = compare_topology(clean, tree, off, surface, options, result);
   result.seconds_topology = watch.restart();
   report_progress(0.8);
-  result.from_surface = distances_from_surface(contour.samples, clean, tree,
-                                               {kFromSurfaceFactor * bound, r_min}, threads);
+  result.from_surface =
+      distances_from_surface(samples, clean, tree, {kFromSurfaceFactor * bound, r_min}, threads);
   result.seconds_distances += watch.restart();
   check_share(mesh, clean, options.restricted_share, result);
   if (options.triangulate) {
-    result.voronoi = count_voronoi_edges(clean, MeshTriangulation(clean, volume.box()), surface,
-                                         *contour.free, threads);
+    result.voronoi = count_voronoi_edges(clean, surface, threads);
   }
   result.seconds_delaunay += watch.restart();
   if (result.from_surface.given_up > 0) {
