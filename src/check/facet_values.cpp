@@ -94,6 +94,7 @@ std::vector<double> facet_distances(const TriMesh& home, const Volume& volume, d
   distances_to_surface(mesh, Isosurface(volume, kappa), kSearchDiagonals * length(volume.spacing()),
                        {kNear * volume.voxel(), 0}, threads, &measured);
   std::vector<double> distances;
+  distances.reserve(measured.size());
   for (const TriangleDistances& d : measured) distances.push_back(std::ranges::max(d));
   return distances;
 }
