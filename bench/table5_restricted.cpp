@@ -7,12 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "check/free_space.h"
 #include "check/mesh_triangulation.h"
 #include "check/self_intersections.h"
 #include "check/triangle_tree.h"
 #include "check/validity.h"
-#include "check/voxel_components.h"
 #include "contour/contour.h"
 #include "support/runs.h"
 
@@ -21,12 +19,11 @@ using namespace deliso;
 namespace {
 
 std::vector<std::string> cells_of(const PublishedRuns& runs, const Volume& volume,
-                                  const ContourMesh& contour, const FreeSpace& free) {
+                                  const ContourMesh& contour) {
   Faults faults;
   const CleanMesh mesh = check_validity(runs.mesh, volume.box(), 0, MayEnd::on_box, faults);
   const Isosurface surface(volume, runs.last().kappa);
-  const VoronoiEdges edges =
-      count_voronoi_edges(mesh, MeshTriangulation(mesh, volume.box()), surface, free);
+  const VoronoiEdges edges = count_voronoi_edges(mesh, surface);
   const std::size_t triangles = mesh.triangles.size();
   const auto shown = [&](std::size_t n) { return edges.measured ? count_of(n) : "-"; };
   const double share = static_cast<double>(edges.restricted) /
@@ -59,13 +56,12 @@ int work(const BenchArguments& arguments) {
     const Volume& volume = opened.volume;
     const ContourMesh contour =
         build_contour(volume, geometric_isovalue(volume.type(), opened.isovalue));
-    const FreeSpace free(VoxelComponents(contour, volume, 0), volume);
     paper::Options options = published_options(opened);
     for (const bool single_stage : {false, true}) {
       options.single_stage = single_stage;
       std::vector<std::string> row{dataset.name, single_stage ? "one" : "two", opened.data,
                                    count_of(opened.lines)};
-      for (std::string& cell : cells_of(run_once(opened, options), volume, contour, free)) {
+      for (std::string& cell : cells_of(run_once(opened, options), volume, contour)) {
         row.push_back(std::move(cell));
       }
       table.add(std::move(row));

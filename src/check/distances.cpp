@@ -104,7 +104,7 @@ class LinesThrough {
       : p_(p),
         corner_(corner),
         patch_(surface, p),
-        near_(std::min(bound, limit / 8)),
+        near_(std::min({bound, limit / 8, surface.volume().voxel()})),
         steep_(patch_.distance_along(patch_.gradient(), limit, counters_)),
         limit_(std::min(limit, steep_)) {}
 
@@ -145,27 +145,18 @@ class LinesThrough {
 std::size_t point_of_side(std::size_t side) {
   return 1 + (side + 1) % 3;
 }
-Vec3 measured_point(const CleanMesh& mesh, std::size_t n, std::size_t k) {
-  const auto& [a, b, c] = mesh.triangles[n];
-  const std::array<Vec3, 3> at{mesh.points[a], mesh.points[b], mesh.points[c]};
-  return k == 0 ? (at[0] + at[1] + at[2]) / 3 : 0.5 * (at[k - 1] + at[k % 3]);
-}
 
 }  // namespace
 
-std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3& c,
-                                        const Isosurface& surface, double limit, double bound) {
-  const Vec3 normal = area_normal(a, b, c);
-  const auto at = [&](const Vec3& p, const Vec3& corner, std::initializer_list<Vec3> others) {
-    return Measure{p, LinesThrough(surface, p, corner, limit, bound).distance(normal, others)};
-  };
-  return {at((a + b + c) / 3, a, {b, c}), at(0.5 * (a + b), a, {c}), at(0.5 * (b + c), b, {a}),
-          at(0.5 * (c + a), c, {b})};
+Vec3 measured_point(const CleanMesh& mesh, std::size_t triangle, std::size_t point) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  const std::array<Vec3, 3> at{mesh.points[a], mesh.points[b], mesh.points[c]};
+  return point == 0 ? (at[0] + at[1] + at[2]) / 3 : 0.5 * (at[point - 1] + at[point % 3]);
 }
 
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
                                const DistanceBound& bound, int threads,
-                               std::vector<double>* of_triangles) {
+                               std::vector<TriangleDistances>* of_triangles) {
   const auto normal = [&](std::size_t n) {
     const auto& [a, b, c] = mesh.triangles[n];
     return area_normal(mesh.points[a], mesh.points[b], mesh.points[c]);
@@ -194,10 +185,8 @@ Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface,
     });
   });
   if (of_triangles) {
-    of_triangles->clear();
-    for (auto first = values.begin(); first != values.end(); first += 4) {
-      of_triangles->push_back(*std::max_element(first, first + 4));
-    }
+    of_triangles->resize(mesh.triangles.size());
+    for (std::size_t n = 0; n < values.size(); ++n) (*of_triangles)[n / 4][n % 4] = values[n];
   }
   return summarize(
       std::move(values), mesh, bound,

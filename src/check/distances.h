@@ -41,22 +41,18 @@ struct DistanceBound {
 // The length of a search for Sigma, in diagonals of a voxel.
 inline constexpr double kSearchDiagonals = 4;
 
-struct Measure {
-  Vec3 at;
-  double distance = 0;  // infinite if nothing is found
-};
+// Each triangle is measured at its middle, point 0, and at those of its edges.
+using TriangleDistances = std::array<double, 4>;
+Vec3 measured_point(const CleanMesh& mesh, std::size_t triangle, std::size_t point);
 
-// Measures the distance to Sigma from the middles of a triangle and of its edges, over at most
-// `limit`. Searches along the gradient and along the triangle's normal. If that finds nothing
-// within `bound`, or near by, also searches along the axes and towards the corners. The shortest of
-// these is an upper bound of the distance.
-std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3& c,
-                                        const Isosurface& surface, double limit, double bound);
-
-// Measures all triangles. `of_triangles`, if given, receives the largest distance of each.
+// Measures the distance to Sigma from these points, over at most `limit`. Searches along the
+// gradient and along the triangle's normal. If that finds nothing within the bound and a voxel, or
+// near by, also searches along the axes and towards the corners. The shortest of these is an upper
+// bound of the distance. `of_triangles`, if given, receives all distances; infinite ones where
+// nothing is found.
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
                                const DistanceBound& bound, int threads = 1,
-                               std::vector<double>* of_triangles = nullptr);
+                               std::vector<TriangleDistances>* of_triangles = nullptr);
 
 // Measures the distance from every sample, a point of Sigma, to the nearest triangle of the mesh;
 // empty without triangles. pre: the tree is that of the mesh.

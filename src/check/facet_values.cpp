@@ -6,7 +6,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "base/parallel.h"
 #include "base/triangle.h"
 #include "check/distances.h"
 #include "contour/contour.h"
@@ -87,19 +86,16 @@ std::vector<double> smallest_angles(const TriMesh& mesh) {
 std::vector<double> facet_distances(const TriMesh& home, const Volume& volume, double kappa,
                                     int threads) {
   constexpr double kNear = 0.1;  // voxels; further points are searched in more directions
-  constexpr std::size_t kFacetsOfThread = 1u << 10;
-  const Isosurface surface(volume, kappa);
-  const double limit = kSearchDiagonals * length(volume.spacing());
-  std::vector<double> distances(home.faces.size(), 0);
-  for_each_run(threads, distances.size(), kFacetsOfThread, [&](std::size_t begin, std::size_t end) {
-    for (FaceId f(begin); f < end; ++f) {
-      const auto& [a, b, c] = home.faces[f].v;
-      for (const Measure& m : measure_triangle(home.points[a], home.points[b], home.points[c],
-                                               surface, limit, kNear * volume.voxel())) {
-        distances[f] = std::max(distances[f], m.distance);
-      }
-    }
-  });
+  CleanMesh mesh;
+  mesh.points = home.points;
+  mesh.triangles = home.triangles();
+  mesh.uses = edge_uses(mesh.points.size(), mesh.triangles);
+  std::vector<TriangleDistances> measured;
+  distances_to_surface(mesh, Isosurface(volume, kappa), kSearchDiagonals * length(volume.spacing()),
+                       {kNear * volume.voxel(), 0}, threads, &measured);
+  std::vector<double> distances;
+  distances.reserve(measured.size());
+  for (const TriangleDistances& d : measured) distances.push_back(std::ranges::max(d));
   return distances;
 }
 

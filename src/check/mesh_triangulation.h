@@ -5,11 +5,8 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
-#include "check/free_space.h"
 #include "check/validity.h"
-#include "delaunay/triangulation.h"
 #include "isosurface/isosurface.h"
 
 namespace deliso {
@@ -28,29 +25,9 @@ struct VoronoiEdges {
 // many as there are vertices.
 inline constexpr std::size_t kMaxCellsPerVertex = 96;
 
-// The Delaunay triangulation of a mesh's vertices, with auxiliary ones.
-class MeshTriangulation {
- public:
-  MeshTriangulation(const CleanMesh& mesh, const Box3& box);
-
-  // Returns false if there is none: all vertices lie in one plane with the auxiliary ones, or it
-  // takes too many cells.
-  bool built() const { return built_; }
-  const Triangulation& cells() const { return cells_; }
-  // Returns a site's vertex of the mesh; kNoId for an auxiliary one.
-  VertexId vertex(SiteId site) const { return vertex_of_[site]; }
-  // Returns the facet's corners in the mesh, ascending, with kNoId for auxiliary vertices.
-  Triangle corners(const Facet& f) const;
-
- private:
-  Triangulation cells_;
-  std::vector<VertexId> vertex_of_;  // of the mesh
-  bool built_ = false;
-};
-
-// Counts. Voronoi edges are compared with Sigma only outside of `free`. The result is the same for
-// any number of threads.
-VoronoiEdges count_voronoi_edges(const CleanMesh& mesh, const MeshTriangulation& triangulation,
-                                 const Isosurface& surface, const FreeSpace& free, int threads = 1);
+// Triangulates the vertices, with auxiliary ones around them, and counts. Does not measure if all
+// vertices lie in one plane with the auxiliary ones, or if there are too many cells. The result is
+// the same for any number of threads.
+VoronoiEdges count_voronoi_edges(const CleanMesh& mesh, const Isosurface& surface, int threads = 1);
 
 }  // namespace deliso

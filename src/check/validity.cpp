@@ -6,10 +6,10 @@
 #include <span>
 #include <tuple>
 
+#include "base/disjoint_sets.h"
 #include "base/text.h"
 #include "delaunay/predicates.h"
 #include "mesh/first_at_place.h"
-#include "mesh/star.h"
 
 namespace deliso {
 namespace {
@@ -123,19 +123,29 @@ void check_edges(CleanMesh& mesh, const Box3& box, double tolerance, MayEnd may_
             });
 }
 
-// Each vertex has one disk or half disk: one fan. (check_edges tests that no edge has more than two
-// triangles.)
+// Each vertex has one disk or half disk: one fan of corners, connected across edges. (check_edges
+// tests that no edge has more than two triangles.)
 void check_vertices(CleanMesh& mesh, Faults& faults) {
-  const TrianglesAtVertices incident(mesh.points.size(), mesh.triangles);
-  std::vector<Triangle> star;
+  DisjointSets corners(3 * mesh.triangles.size());
+  const auto corner = [](const EdgeUse& use, bool at_start) {
+    return 3 * use.triangle + (use.side + (at_start ? 1u : 2u)) % 3;
+  };
+  for_each_edge(mesh.uses, [&](std::span<const EdgeUse> edge) {
+    for (const EdgeUse& use : edge.subspan(1)) {
+      corners.unite(corner(use, use.forward), corner(edge[0], edge[0].forward));
+      corners.unite(corner(use, !use.forward), corner(edge[0], !edge[0].forward));
+    }
+    return true;
+  });
+  std::vector<std::uint32_t> fans(mesh.points.size(), 0);
+  for (std::uint32_t c = 0; c < 3 * mesh.triangles.size(); ++c) {
+    fans[mesh.triangles[c / 3][c % 3]] += corners.find(c) == c;
+  }
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
-    star.clear();
-    for (const std::uint32_t t : incident.at(v)) star.push_back(mesh.triangles[t]);
-    const std::size_t fans = link_of(v, star).fans;
-    if (fans <= 1) continue;
+    if (fans[v] <= 1) continue;
     faults.add(
         FaultKind::non_manifold_vertices,
-        [&] { return text("the triangles at vertex ", v, " form ", fans, " separate fans"); },
+        [&] { return text("the triangles at vertex ", v, " form ", fans[v], " separate fans"); },
         mesh.points[v]);
     mesh.broken[mesh.component[v]] = 1;
   }

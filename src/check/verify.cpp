@@ -185,10 +185,12 @@ std::vector<std::uint8_t> check_vertices_on_surface(
       }
       on_surface[v] = off[v] == 0;
       if (!on_surface[v]) continue;
-      const std::vector<std::uint32_t> here = voxels.at(p);
-      if (!here.empty() && !std::ranges::binary_search(here, compared.match[m])) {
-        elsewhere[v] = here[0];
-      }
+      bool is_here = false;
+      voxels.for_each_component_at(p, [&](std::uint32_t c) {
+        is_here |= c == compared.match[m];
+        elsewhere[v] = std::min(elsewhere[v], c);
+      });
+      if (is_here) elsewhere[v] = kNoId;
     }
   });
   for (VertexId v = 0; v < off.size(); ++v) {
@@ -212,16 +214,15 @@ std::vector<std::uint8_t> check_vertices_on_surface(
   return on_surface;
 }
 
-// Returns how far a point is from Sigma, given an upper bound. A search towards every vertex of T
-// around it finds Sigma at the latest there.
-double sharper_distance(const Measure& given, const ContourMesh& contour,
+// Returns how far p is from Sigma, given an upper bound. A search towards every vertex of T around
+// it finds Sigma at the latest there.
+double sharper_distance(const Vec3& p, double d, const ContourMesh& contour,
                         const VoxelComponents& voxels, const Isosurface& surface) {
-  double d = given.distance;
   SearchCounters counters;
-  const PatchAt patch(surface, given.at);
-  voxels.for_each_triangle_around(given.at, [&](std::uint32_t n) {
+  const PatchAt patch(surface, p);
+  voxels.for_each_triangle_around(p, [&](std::uint32_t n) {
     for (const VertexId v : contour.triangles[n]) {
-      d = std::min(d, patch.distance_along(contour.points[v] - given.at, d, counters));
+      d = std::min(d, patch.distance_along(contour.points[v] - p, d, counters));
     }
   });
   return d;
@@ -229,29 +230,30 @@ double sharper_distance(const Measure& given, const ContourMesh& contour,
 
 // Reports triangles whose corners are on Sigma, but a point of them is further from it than a
 // voxel, and than the limits on h and h/r allow: without such limits a mesh may be as coarse as it
-// likes. `off`: a bound on the distance of each.
-void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<double>& off,
+// likes. `off`: bounds on their distances.
+void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<TriangleDistances>& off,
                                 const std::vector<std::uint8_t>& on_surface,
                                 const ContourMesh& contour, const VoxelComponents& voxels,
                                 const Isosurface& surface, Verification& result) {
-  const double voxel = surface.volume().voxel(), limit = search_limit(surface.volume());
+  const double voxel = surface.volume().voxel();
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
     const Triangle& t = mesh.triangles[n];
     const auto is_on_surface = [&](VertexId v) { return on_surface[v] != 0; };
-    if (off[n] <= voxel || !std::ranges::all_of(t, is_on_surface)) continue;
+    if (!std::ranges::all_of(t, is_on_surface)) continue;
+    double h = voxel;
+    for (std::size_t k = 0; k < off[n].size(); ++k) {
+      if (off[n][k] <= h) continue;
+      const Vec3 p = measured_point(mesh, n, k);
+      h = std::max(h, sharper_distance(p, off[n][k], contour, voxels, surface));
+    }
+    if (h <= voxel) continue;
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
     FacetShape shape = measure(a, b, c, a);
-    shape.h = 0;
-    for (const Measure& m : measure_triangle(a, b, c, surface, limit, voxel)) {
-      if (m.distance <= std::max(voxel, shape.h)) continue;
-      shape.h = std::max(shape.h, sharper_distance(m, contour, voxels, surface));
-    }
-    shape.h = std::min(shape.h, limit);  // if nothing is found, it is that at least
+    shape.h = std::min(h, search_limit(surface.volume()));  // if nothing is found, that at least
     const auto passes = [&](Criterion k) {
       return share_of_limit(static_cast<std::size_t>(k), shape, result.limits) > 1;
     };
-    if (shape.h <= voxel || (!passes(Criterion::distance) && !passes(Criterion::h_over_r)))
-      continue;
+    if (!passes(Criterion::distance) && !passes(Criterion::h_over_r)) continue;
     result.faults.add(
         FaultKind::triangles_off_surface,
         [&] {
@@ -262,16 +264,12 @@ void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<double>
   }
 }
 
-// What is known of Sigma from T.
-struct OfContour {
-  std::vector<Vec3> samples;      // its vertices on the components that the mesh is to have
-  std::optional<FreeSpace> free;  // for the triangulation, if asked for
-};
-
-// `off`: a bound on the distance of each triangle from Sigma.
-OfContour compare_topology(const CleanMesh& mesh, const TriangleTree& tree,
-                           const std::vector<double>& off, const Isosurface& surface,
-                           const VerifyOptions& options, Verification& result) {
+// Returns the vertices of T on the components that the mesh is to have. `off`: bounds on the
+// triangles' distances from Sigma.
+std::vector<Vec3> compare_topology(const CleanMesh& mesh, const TriangleTree& tree,
+                                   const std::vector<TriangleDistances>& off,
+                                   const Isosurface& surface, const VerifyOptions& options,
+                                   Verification& result) {
   const Volume& volume = surface.volume();
   ContourMesh contour = build_contour(volume, surface.kappa());
   const VoxelComponents voxels(contour, volume, result.surface_tolerance);
@@ -287,9 +285,7 @@ OfContour compare_topology(const CleanMesh& mesh, const TriangleTree& tree,
     check_triangles_on_surface(mesh, off, on_surface, contour, voxels, surface, result);
   }
   keep_components(contour, compared.kept);
-  OfContour known{std::move(contour.points), {}};
-  if (options.triangulate) known.free.emplace(voxels, volume);
-  return known;
+  return std::move(contour.points);
 }
 
 // If a least share is required, an unmeasured share is a fault. A lower share is a fault if there
@@ -455,21 +451,20 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
     result.seconds_delaunay = watch.restart();
   }
   report_progress(0.4);
-  std::vector<double> off;
+  std::vector<TriangleDistances> off;
   result.to_surface =
       distances_to_surface(clean, surface, search_limit(volume), {bound, r_min}, threads, &off);
   result.seconds_distances = watch.restart();
   report_progress(0.6);
-  const OfContour contour = compare_topology(clean, tree, off, surface, options, result);
+  const std::vector<Vec3> samples = compare_topology(clean, tree, off, surface, options, result);
   result.seconds_topology = watch.restart();
   report_progress(0.8);
-  result.from_surface = distances_from_surface(contour.samples, clean, tree,
-                                               {kFromSurfaceFactor * bound, r_min}, threads);
+  result.from_surface =
+      distances_from_surface(samples, clean, tree, {kFromSurfaceFactor * bound, r_min}, threads);
   result.seconds_distances += watch.restart();
   check_share(mesh, clean, options.restricted_share, result);
   if (options.triangulate) {
-    result.voronoi = count_voronoi_edges(clean, MeshTriangulation(clean, volume.box()), surface,
-                                         *contour.free, threads);
+    result.voronoi = count_voronoi_edges(clean, surface, threads);
   }
   result.seconds_delaunay += watch.restart();
   if (result.from_surface.given_up > 0) {

@@ -18,8 +18,13 @@ class VoxelComponents {
   // Keeps a reference to the volume. `tolerance`: of points on Sigma, in the scaled frame.
   VoxelComponents(const ContourMesh& contour, const Volume& volume, double tolerance);
 
-  // Returns the components in the voxel that holds p, and in those within the tolerance of p;
-  // ascending.
+  // Calls visit(component) for those in the voxel that holds p, and in those within the tolerance
+  // of p; perhaps more than once.
+  template <class Visit>
+  void for_each_component_at(const Vec3& p, Visit&& visit) const {
+    for_each_near(p, tolerance_voxels_, [&](const Entry& entry) { visit(entry.component); });
+  }
+  // Returns these components, ascending.
   std::vector<std::uint32_t> at(const Vec3& p) const { return near(p, tolerance_voxels_); }
   // The same, of that voxel and its neighbors.
   std::vector<std::uint32_t> around(const Vec3& p) const { return near(p, 1); }
@@ -29,11 +34,6 @@ class VoxelComponents {
     for_each_near(p, 1, [&](const Entry& entry) {
       for (std::uint32_t n = entry.first; n < entry.end; ++n) visit(n);
     });
-  }
-  // Calls visit(voxel) for every voxel that T passes through, at least once.
-  template <class Visit>
-  void for_each_voxel(Visit&& visit) const {
-    for (const Entry& entry : entries_) visit(numbered_voxel(volume_.dims(), entry.voxel));
   }
 
  private:

@@ -26,9 +26,7 @@ DelaunayShare by_balls(const CleanMesh& mesh, const Scene& scene, int threads = 
 }
 
 VoronoiEdges by_triangulation(const CleanMesh& mesh, const Scene& scene) {
-  const FreeSpace free(VoxelComponents(scene.contour, scene.volume, 0), scene.volume);
-  return count_voronoi_edges(mesh, MeshTriangulation(mesh, scene.volume.box()), scene.surface,
-                             free);
+  return count_voronoi_edges(mesh, scene.surface);
 }
 
 }  // namespace

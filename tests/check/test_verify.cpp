@@ -344,6 +344,8 @@ TEST_CASE("r_min allows points within r_min of a triangle no larger than r_min")
   const ContourMesh contour = build_contour(good.volume, good.kappa);
   const std::vector<Vec3>& points = good.mesh.points;
   const double limit = kSearchDiagonals * length(good.volume.spacing());
+  Faults none;
+  const CleanMesh clean = check_validity(good.mesh, good.volume.box(), 0, MayEnd::on_box, none);
   const auto radius = [&](const Triangle& t) {
     return distance(circumcenter(points[t[0]], points[t[1]], points[t[2]]), points[t[0]]);
   };
@@ -367,11 +369,10 @@ TEST_CASE("r_min allows points within r_min of a triangle no larger than r_min")
       const auto count = [&](double d, double r, double most) {
         if (d > most) ++(d <= r_min && r <= r_min ? below : above);
       };
-      for (const Face& face : good.mesh.faces) {
-        for (const Measure& m : measure_triangle(points[face.v[0]], points[face.v[1]],
-                                                 points[face.v[2]], surface, limit, bound)) {
-          count(m.distance, radius(face.v), bound);
-        }
+      std::vector<TriangleDistances> measured;
+      distances_to_surface(clean, surface, limit, {bound, r_min}, 1, &measured);
+      for (std::size_t n = 0; n < measured.size(); ++n) {
+        for (const double d : measured[n]) count(d, radius(clean.triangles[n]), bound);
       }
       const std::size_t above_of_mesh = above, below_of_mesh = below;
       above = below = 0;
