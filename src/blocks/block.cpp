@@ -20,17 +20,15 @@ namespace {
 // may be the neighbor's.
 constexpr double kNearSeamVoxels = 2;
 
-bool is_near_seam(const Vec3& p, const Volume& block) {
-  const Box3 box = block.box();
+// Returns the box of the points that are not so near.
+Box3 box_within_seams(const Volume& block) {
+  Box3 box = block.box();
   const double near = kNearSeamVoxels * block.voxel();
   for (BoxFace face = 0; face < 6; ++face) {
     if ((block.inner_faces() >> face & 1) == 0) continue;
-    const int axis = axis_of(face);
-    if ((face & 1) != 0 ? p[axis] > box.hi[axis] - near : p[axis] < box.lo[axis] + near) {
-      return true;
-    }
+    ((face & 1) != 0 ? box.hi : box.lo)[axis_of(face)] -= (face & 1) != 0 ? near : -near;
   }
-  return false;
+  return box;
 }
 
 // Returns the vertices, and those beside them.
@@ -78,8 +76,9 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
   block.loops =
       std::make_shared<const BoundaryLoops>(boundary_loops(contour, at.volume.inner_faces()));
   const BoundaryCurves curves(at.surface, block.loops);
+  const Box3 within = box_within_seams(at.volume);
   for (const Vec3& p : contour.points) {
-    (is_near_seam(p, at.volume) ? block.samples_near_seams : block.samples).push_back(p);
+    (within.contains(p) ? block.samples : block.samples_near_seams).push_back(p);
   }
   Options options = run.options;
   options.stop_after_stage1 |= run.parameters.has_target();

@@ -43,24 +43,58 @@ void keep_near(const EmbeddingFaults& faults, const TriMesh& mesh, const MeshCom
   std::vector<std::uint8_t> is_faulty(components.count(), 0);
   for (const std::uint32_t c : faults.components) is_faulty[c] = 1;
   for (VertexId v = 0; v < kept.size(); ++v) {
-    if (components.of[v] != kNoId) kept[v.number()] |= is_faulty[components.of[v]];
+    kept[v.number()] |= is_faulty[components.of[v]];
     if (is_marked.empty()) continue;
     kept[v.number()] |= is_marked[number(volume.voxel_at(before.points[v]))];
   }
 }
 
 // Marks the vertices of small components that do not go on beyond the free box.
-std::vector<std::uint8_t> small_ones(const TriMesh& mesh, const MeshComponents& components) {
-  std::vector<std::uint32_t> size(components.count(), 0);
+std::vector<std::uint8_t> small_ones(const MeshComponents& components) {
+  std::vector<std::uint8_t> kept;
   for (const std::uint32_t c : components.of) {
-    if (c != kNoId) ++size[c];
-  }
-  std::vector<std::uint8_t> kept(mesh.points.size(), 0);
-  for (VertexId v = 0; v < kept.size(); ++v) {
-    const std::uint32_t c = components.of[v];
-    kept[v.number()] = c != kNoId && !components.is_frozen[c] && size[c] < kSmallComponent;
+    kept.push_back(!components.is_frozen[c] && components.size[c] < kSmallComponent);
   }
   return kept;
+}
+
+// Coarsens until the mesh has no faults. Returns per facet whether it changed.
+std::vector<std::uint8_t> attempts(SurfaceMesh& s, const Isosurface& surface,
+                                   const BoundaryCurves& curves, const Parameters& parameters,
+                                   double distance, const CoarsenScope& scope, Report& report) {
+  const Volume& volume = surface.volume();
+  const TriMesh before = s.mesh;
+  const BoundaryChain chain = s.chain;
+  const MeshComponents components(before, chain, scope.free_box.first_free, volume.box());
+  std::vector<std::uint8_t> kept = small_ones(components), changed;
+  for (int attempt = 1;; ++attempt) {
+    changed.assign(s.mesh.faces.size(), 0);
+    if (attempt == kMostAttempts) return changed;
+    Coarsener(s, surface, curves, parameters, distance, scope, kept, changed,
+              report.searches_coarsen)
+        .run();
+    const EmbeddingFaults faults =
+        embedding_faults(s, components, changed, scope.free_box, volume.box());
+    if (faults.none()) return changed;
+    ++report[Counter::coarsened_again];
+    keep_near(faults, s.mesh, components, before, volume, kept);
+    s.mesh = before;
+    s.chain = chain;
+  }
+}
+
+// Sets the duals of live facets; `changed`: of these, or all if it is empty.
+void set_duals(SurfaceMesh& s, const Isosurface& surface, std::span<const std::uint8_t> changed,
+               Report& report) {
+  s.duals.resize(s.mesh.faces.size());
+  SurfacePointFinder finder(surface);
+  for (FaceId f = 0; f < s.mesh.faces.size(); ++f) {
+    if (is_dead(s.mesh.faces[f]) || (!changed.empty() && changed[f.number()] == 0)) continue;
+    const auto& [a, b, c] = s.mesh.faces[f].v;
+    s.duals[f] =
+        finder.dual(s.mesh.points[a], s.mesh.points[b], s.mesh.points[c], report.searches_coarsen);
+    report[Counter::unready_facets] += !s.duals[f].on_surface;
+  }
 }
 
 }  // namespace
@@ -73,35 +107,9 @@ double coarsening_bound(const Parameters& p) {
 std::vector<std::uint8_t> coarsen(SurfaceMesh& s, const Isosurface& surface,
                                   const BoundaryCurves& curves, const Parameters& parameters,
                                   double distance, const CoarsenScope& scope, Report& report) {
-  const Volume& volume = surface.volume();
-  const TriMesh before = s.mesh;
-  const BoundaryChain chain = s.chain;
-  const MeshComponents components(before, chain, scope.free_box.first_free, volume.box());
-  std::vector<std::uint8_t> kept = small_ones(before, components), changed;
-  for (int attempt = 1;; ++attempt) {
-    changed.assign(s.mesh.faces.size(), 0);
-    if (attempt == kMostAttempts) break;
-    Coarsener(s, surface, curves, parameters, distance, scope, kept, changed,
-              report.searches_coarsen)
-        .run();
-    const EmbeddingFaults faults =
-        embedding_faults(s, components, changed, scope.free_box, volume.box());
-    if (faults.none()) break;
-    ++report[Counter::coarsened_again];
-    keep_near(faults, s.mesh, components, before, volume, kept);
-    s.mesh = before;
-    s.chain = chain;
-  }
-  const bool has_duals = !s.duals.empty();
-  s.duals.resize(s.mesh.faces.size());
-  SurfacePointFinder finder(surface);
-  for (FaceId f = 0; f < s.mesh.faces.size(); ++f) {
-    if (is_dead(s.mesh.faces[f]) || (has_duals && changed[f.number()] == 0)) continue;
-    const auto& [a, b, c] = s.mesh.faces[f].v;
-    s.duals[f] =
-        finder.dual(s.mesh.points[a], s.mesh.points[b], s.mesh.points[c], report.searches_coarsen);
-    report[Counter::unready_facets] += !s.duals[f].on_surface;
-  }
+  std::vector<std::uint8_t> changed =
+      attempts(s, surface, curves, parameters, distance, scope, report);
+  set_duals(s, surface, changed, report);
   return changed;
 }
 
@@ -111,8 +119,10 @@ void coarsen(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& cu
   begin_stage(parameters.observer, "coarsen");
   CoarsenScope scope{FreeBox::within(surface.volume()), {}};
   for (VertexId v = 0; v < s.mesh.points.size(); ++v) scope.first.push_back(v);
-  coarsen(s, surface, curves, parameters, coarsening_bound(parameters), scope, report);
+  s.duals.clear();
+  attempts(s, surface, curves, parameters, coarsening_bound(parameters), scope, report);
   remove_dead(s);
+  set_duals(s, surface, {}, report);
   report.vertices_coarsened = s.mesh.points.size();
 }
 

@@ -21,7 +21,7 @@ namespace deliso {
 
 // The connected components of a mesh.
 struct MeshComponents {
-  // Facets before `first_free` are frozen.
+  // Facets before `first_free` are frozen. pre: none is dead.
   MeshComponents(const TriMesh& mesh, const BoundaryChain& chain, FaceId first_free,
                  const Box3& box);
 
@@ -29,10 +29,11 @@ struct MeshComponents {
   // Returns six times the volumes between the components' facets and their origins; 0 without one.
   std::vector<double> volumes(const TriMesh& mesh) const;
 
-  IdArray<VertexId, std::uint32_t> of;  // per vertex; kNoId: it has no facets
+  IdArray<VertexId, std::uint32_t> of;  // per vertex
+  std::vector<std::uint32_t> size;      // per component: vertices
   std::vector<std::uint8_t> is_frozen;  // per component: a facet is frozen
   // Per component a point in all faces of the box that it meets: seen from there its open ends
-  // bound no volume. Nothing for those that meet opposite faces or are frozen.
+  // bound no volume. Nothing for those that meet opposite faces, are frozen or have no facets.
   std::vector<std::optional<Vec3>> origin;
   std::vector<double> bounded;  // volumes() of the mesh
 };

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <limits>
 #include <span>
 
 #include "contour/contour.h"
@@ -127,27 +129,26 @@ class PieceMesher final : public ContourSink {
     if (pieces.loops.count != 1 || static_cast<std::size_t>(std::popcount(faces)) != n)
       return false;
     const std::span<const VertexId> loop = pieces.vertices(0);
-    const auto chords = [&](std::size_t i) {
-      double sum = 0;
-      for (std::size_t k = 2; k + 1 < n; ++k) {
-        sum += distance2(mesh_.points[loop[i]], mesh_.points[loop[(i + k) % n]]);
-      }
-      return sum;
-    };
+    std::array<Vec3, 6> points;
+    for (std::size_t i = 0; i < n; ++i) points[i] = mesh_.points[loop[i]];
+    const auto after = [&](std::size_t i, std::size_t k) { return i + k < n ? i + k : i + k - n; };
     const Vec3 size = times(frame.size, spacing_);
     const Vec3 scale{1 / size.x, 1 / size.y, 1 / size.z};
     std::size_t from = 0;
+    double least = std::numeric_limits<double>::infinity();
     bool has_short_edge = false;
     for (std::size_t i = 0; i < n; ++i) {
-      const Vec3 edge = mesh_.points[loop[i]] - mesh_.points[loop[(i + 1) % n]];
-      const double edge2 = length2(times(edge, scale));
+      const double edge2 = length2(times(points[i] - points[after(i, 1)], scale));
       has_short_edge |= edge2 < kMinFanEdge * kMinFanEdge;
-      if (chords(i) < chords(from)) from = i;
+      double chords = 0;
+      for (std::size_t k = 2; k + 1 < n; ++k) chords += distance2(points[i], points[after(i, k)]);
+      if (chords < least) from = i;
+      least = std::min(least, chords);
     }
     if (has_short_edge && is_thin(voxel)) return false;
     for (const VertexId v : loop) mesh_.component[v] = pieces.label[0];
     for (std::size_t k = 1; k + 1 < n; ++k) {
-      mesh_.triangles.push_back({loop[from], loop[(from + k) % n], loop[(from + k + 1) % n]});
+      mesh_.triangles.push_back({loop[from], loop[after(from, k)], loop[after(from, k + 1)]});
     }
     return true;
   }

@@ -157,13 +157,4 @@ void BoxGrid::grow(Level& level) {
   }
 }
 
-double fitting_cell(const std::vector<Vec3>& points, std::span<const Triangle> triangles) {
-  double sum = 0;
-  for (const Triangle& t : triangles) {
-    const Vec3 &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
-    sum += std::sqrt(std::max({distance2(a, b), distance2(b, c), distance2(c, a)}));
-  }
-  return 1.2 * sum / std::max(1.0, static_cast<double>(triangles.size()));
-}
-
 }  // namespace deliso

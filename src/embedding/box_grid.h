@@ -120,9 +120,6 @@ class BoxGrid {
   std::vector<Place> places_;                        // per id
 };
 
-// Returns a cell size for these triangles: a little more than the mean of their longest edges.
-double fitting_cell(const std::vector<Vec3>& points, std::span<const Triangle> triangles);
-
 template <class Element, class Predicate>
 bool BoxGrid::any(const Box& query, Predicate&& pred) const {
   std::array<Four, 3> lo, hi;

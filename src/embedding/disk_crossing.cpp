@@ -24,10 +24,6 @@ constexpr float kSingleMargin = 0x1p-19f;
 // More than what underflow takes away: the disk's size is about 1.
 constexpr float kUnderflow = 0x1p-100f;
 
-double size_of(const Vec3& v) {
-  return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z);
-}
-
 }  // namespace
 
 bool DiskCrossing::begin(const std::vector<Vec3>& points, const Disk& disk,
@@ -52,7 +48,7 @@ void DiskCrossing::set_planes() {
   for (const VertexId v : vertices) known_[v] = {stamp_, 0};
   center_ = point(vertices[0]);
   double size = 0;
-  for (const VertexId v : vertices) size = std::max(size, size_of(point(v) - center_));
+  for (const VertexId v : vertices) size = std::max(size, sum_of_sizes(point(v) - center_));
   scale_ = 1 / size;
   used_ = (count + kLanes - 1) / kLanes;
   for (std::size_t k = 0; k < used_; ++k) {
@@ -64,14 +60,14 @@ void DiskCrossing::set_planes() {
     known_[edge.from].planes |= std::uint32_t{1} << n;
     known_[edge.to].planes |= std::uint32_t{1} << n;
     const Vec3 outwards = cross(point(edge.to) - point(edge.from), normals_[edge.facet]);
-    const Vec3 normal = outwards / size_of(outwards);
+    const Vec3 normal = outwards / sum_of_sizes(outwards);
     const Vec3 from = scale_ * (point(edge.from) - center_);
     Planes& to = planes_[n / kLanes];
     to.x[n % kLanes] = static_cast<float>(normal.x);
     to.y[n % kLanes] = static_cast<float>(normal.y);
     to.z[n % kLanes] = static_cast<float>(normal.z);
     to.offset[n % kLanes] = static_cast<float>(dot(normal, from));
-    to.margin[n % kLanes] = kSingleMargin * static_cast<float>(size_of(from)) + kUnderflow;
+    to.margin[n % kLanes] = kSingleMargin * static_cast<float>(sum_of_sizes(from)) + kUnderflow;
   }
   // The disk's own vertices must be inside, but for the ends of a plane's side.
   separating_ = ~std::uint32_t{0};
@@ -123,7 +119,7 @@ bool DiskCrossing::is_fan(VertexId apex) const {
     along = along + normals_[f];
     longest2 = std::max(longest2, distance2(point(facets[f][0]), center));
   }
-  const double margin = kMargin * longest2 * size_of(along);
+  const double margin = kMargin * longest2 * sum_of_sizes(along);
   const VertexId first = facets[0][0];
   const Vec3 across = cross(along, point(first) - center);
   int rounds = 0;
@@ -159,41 +155,12 @@ std::uint32_t DiskCrossing::planes_with_outside(VertexId v) {
   return known.planes;
 }
 
-DiskCrossing::Plane DiskCrossing::plane_through(const Triangle& t, const Vec3& normal,
-                                                int side) const {
-  const VertexId from = t[(side + 1) % 3], to = t[(side + 2) % 3];
-  const Vec3& origin = point(from);
-  const Vec3 outwards = cross(point(to) - origin, normal);
-  return {from, to, origin, outwards, kMargin * size_of(outwards)};
-}
-
-bool DiskCrossing::is_on_side(const Plane& plane, VertexId v, double sign) const {
-  const Vec3 w = point(v) - plane.origin;
-  return sign * dot(plane.outwards, w) > plane.margin * size_of(w);
-}
-
-inline bool DiskCrossing::separates(const Plane& plane, VertexId inside,
-                                    const Triangle& other) const {
-  const auto is_outside = [&](VertexId v) {
-    return v == plane.from || v == plane.to || is_on_side(plane, v, 1);
-  };
-  return std::ranges::all_of(other, is_outside) && is_on_side(plane, inside, -1);
-}
-
 bool DiskCrossing::meet(std::size_t f, const Triangle& t) const {
   const Triangle& s = disk_->facets[f];
-  // Side 2 first: a cone has it on the boundary.
-  for (const int side : {2, 0, 1}) {
-    const auto inside = s[side];
-    if (separates(plane_through(s, normals_[f], side), inside, t)) return false;
-  }
+  if (is_separated(*points_, s, normals_[f], t)) return false;
   const Vec3 &a = point(t[0]), &b = point(t[1]), &c = point(t[2]);
-  const Vec3 normal = area_normal(a, b, c);
-  for (int side = 0; side < 3; ++side) {
-    const auto inside = t[side];
-    if (separates(plane_through(t, normal, side), inside, s)) return false;
-  }
-  return !collinear(a, b, c) && triangles_intersect(*points_, s, t);
+  return !is_separated(*points_, t, area_normal(a, b, c), s) && !collinear(a, b, c) &&
+         triangles_intersect(*points_, s, t);
 }
 
 }  // namespace deliso

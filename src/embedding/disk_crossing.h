@@ -37,17 +37,6 @@ class DiskCrossing {
   bool crosses(const Triangle& t, const BoxGrid::Box& box);
 
  private:
-  // A plane through a side of a facet, perpendicular to the facet. The facet is inside.
-  struct Plane {
-    VertexId from, to;
-    Vec3 origin, outwards;
-    double margin;
-  };
-  Plane plane_through(const Triangle& t, const Vec3& normal, int side) const;
-  // True if v lies outside the plane (sign 1) or inside (sign -1).
-  bool is_on_side(const Plane& plane, VertexId v, double sign) const;
-  // True if the plane separates a triangle, whose third corner is `inside`, from another one.
-  bool separates(const Plane& plane, VertexId inside, const Triangle& other) const;
   // Sets the planes of the disk that have all of it inside.
   void set_planes();
   // Returns the planes that v lies outside of (sign 1) or inside (-1), by the margin.

@@ -71,6 +71,26 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const V
   return ab * ca >= 0 && bc * ca >= 0;
 }
 
+bool is_separated(const std::vector<Vec3>& points, const Triangle& s, const Vec3& normal,
+                  const Triangle& t) {
+  constexpr double kMargin = 1e-10;  // a share of the size of the compared terms
+  for (const int side : {2, 0, 1}) {
+    const VertexId from = s[(side + 1) % 3], to = s[(side + 2) % 3];
+    const Vec3 outwards = cross(points[to] - points[from], normal);
+    const double margin = kMargin * sum_of_sizes(outwards);
+    const auto is_beyond = [&](VertexId v, double sign) {
+      const Vec3 w = points[v] - points[from];
+      return sign * dot(outwards, w) > margin * sum_of_sizes(w);
+    };
+    if (std::ranges::all_of(t,
+                            [&](VertexId v) { return v == from || v == to || is_beyond(v, 1); }) &&
+        is_beyond(s[side], -1)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool triangles_intersect(const std::vector<Vec3>& points, const Triangle& s, const Triangle& t) {
   // Permuted so that shared vertices come first in both.
   Triangle u = s, v = t;

@@ -62,16 +62,4 @@ void Ring::project() {
   }
 }
 
-bool Ring::is_fan() const {
-  constexpr double kMargin = 1e-10;
-  const auto from_first = [&](int k) { return x[0] * y[k] - y[0] * x[k]; };
-  int rounds = 0;  // a closed star comes to its first neighbor again, an open one stops before
-  for (int k = 0; k < facets; ++k) {
-    const Vec3 side = cross(point[k] - center, point[after(k)] - center);
-    if (!(dot(side, normal) > kMargin * normal2)) return false;
-    rounds += from_first(k) < 0 && from_first(after(k)) >= 0;
-  }
-  return rounds <= (is_closed ? 1 : 0);
-}
-
 }  // namespace deliso

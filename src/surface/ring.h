@@ -35,9 +35,6 @@ struct Ring {
   bool walk(const TriMesh& mesh, FaceId first, VertexId v, bool is_boundary);
   // Sets x and y.
   void project();
-  // True if the facets of the star lie side by side, seen along their normal, with a margin above
-  // rounding: then they do not cross. pre: project().
-  bool is_fan() const;
 };
 
 }  // namespace deliso
