@@ -34,6 +34,10 @@ constexpr std::uint64_t kSeamLayersTwice = 3;
 // A block with so little work takes a fiftieth of a second: no thread waits for it.
 constexpr std::uint64_t kSmallWork = 8000;
 
+// A block with more work than this leaves a core's caches: a vertex of noise takes a fifth longer
+// there. What is above it costs so much that no seams outweigh it.
+constexpr std::uint64_t kLargeWork = 128000, kLargeCost = 1000;
+
 int rounded_up(int n) {
   return (n + kCell - 1) / kCell * kCell;
 }
@@ -226,8 +230,9 @@ std::array<std::vector<int>, 3> planes_at_equal_shares(const SurfaceWork& work) 
         const std::uint64_t seams = kSeamLayersTwice * (x.work_cut + y.work_cut + z.work_cut);
         if (seams + 2 * kSmallWork >= least) continue;
         const std::uint64_t enough = (least - seams) / 2 + 1;
-        const std::uint64_t cost =
-            seams + 2 * std::max(kSmallWork, heaviest(work, x.at, y.at, z.at, enough));
+        const std::uint64_t most = heaviest(work, x.at, y.at, z.at, enough);
+        const std::uint64_t cost = seams + 2 * std::max(kSmallWork, most) +
+                                   kLargeCost * (std::max(kLargeWork, most) - kLargeWork);
         if (cost >= least) continue;
         least = cost;
         best = {&x, &y, &z};

@@ -44,7 +44,8 @@ class Interpolant {
       const double start = from[axis], direction = along[axis], scale = g.per_spacing_[axis];
       const double lo = g.lo_[axis], hi = g.hi_[axis];
       for (int n = 0; n < 4; ++n) {
-        const double x = std::clamp((start + t[n] * direction) * scale, lo, hi) - lo;
+        // A place that is not a number becomes lo.
+        const double x = std::min(std::max(lo, (start + t[n] * direction) * scale), hi) - lo;
         voxel[axis][n] = static_cast<int>(x);
         place[axis][n] = x - voxel[axis][n];
       }

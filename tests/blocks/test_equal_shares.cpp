@@ -132,6 +132,13 @@ TEST_CASE("dense noise of 96 samples a side is divided") {
   CHECK(grid.boxes().size() >= 27);
 }
 
+TEST_CASE("in a large volume of dense noise blocks stay small, however much the seams are") {
+  const VolumeSource source = source_of(make_builtin_volume("builtin:noise:160"));
+  const SurfaceWork work(source, 127.5, 1);
+  const BlockGrid grid = block_grid(source, 127.5, {});
+  CHECK(std::ranges::max(work_in_blocks(work, grid)) <= 128000);
+}
+
 TEST_CASE("the grid is the same read box by box, and on any number of threads") {
   for (const Index3 dims : {Index3{70, 60, 65}, Index3{64, 33, 161}, Index3{50, 50, 2}}) {
     const VolumeSource whole = source_of(checkered(dims, {dims.i, dims.j, dims.k / 2 + 1}));
