@@ -296,7 +296,7 @@ void draw_gates(const std::string& folder) {
   };
   draw(out, h, panel(16), search.swallows.found, "a vertex would go");
   draw(out, h, panel(265), search.misses.found, "G3: no surface point");
-  draw(out, h, panel(514), search.crosses.found, "G5: another sheet is crossed");
+  draw(out, h, panel(514), search.crosses.found, "G5: a facet is crossed");
   out.write(folder, "gates");
 }
 
