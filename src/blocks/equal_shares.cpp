@@ -36,7 +36,7 @@ constexpr std::uint64_t kSmallWork = 8000;
 
 // A block with more work than this leaves a core's caches: a vertex of noise takes a fifth longer
 // there. What is above it costs so much that no seams outweigh it.
-constexpr std::uint64_t kLargeWork = 128000, kLargeCost = 1000;
+constexpr std::uint64_t kLargeWork = 200000, kLargeCost = 1000;
 
 int rounded_up(int n) {
   return (n + kCell - 1) / kCell * kCell;
