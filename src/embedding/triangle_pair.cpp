@@ -73,11 +73,11 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const V
 
 bool is_separated(const std::vector<Vec3>& points, const Triangle& s, const Vec3& normal,
                   const Triangle& t) {
-  constexpr double kMargin = 1e-10;  // a share of the size of the compared terms
+  constexpr double kSeparation = 1e-10;  // a share of the size of the compared terms
   for (const int side : {2, 0, 1}) {
     const VertexId from = s[(side + 1) % 3], to = s[(side + 2) % 3];
     const Vec3 outwards = cross(points[to] - points[from], normal);
-    const double margin = kMargin * sum_of_sizes(outwards);
+    const double margin = kSeparation * sum_of_sizes(outwards);
     const auto is_beyond = [&](VertexId v, double sign) {
       const Vec3 w = points[v] - points[from];
       return sign * dot(outwards, w) > margin * sum_of_sizes(w);
