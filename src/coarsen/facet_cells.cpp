@@ -47,12 +47,7 @@ FacetCells::FacetCells(const TriMesh& mesh) {
   per_cell_ = 1 / std::max({kCellSides * sides / facets, least, std::numeric_limits<float>::min()});
   const auto cells = [&] {
     std::uint64_t sum = 0;
-    for (const Box& box : boxes_) {
-      const auto low = cell_of(box.lo), high = cell_of(box.hi);
-      std::uint64_t product = 1;
-      for (std::size_t axis = 0; axis < 3; ++axis) product *= high[axis] - low[axis] + 1;
-      sum += product;
-    }
+    for (const Box& box : boxes_) sum += cells_of(box);
     return sum;
   };
   while (cells() > kMostCells * facets_.size()) per_cell_ /= 2;

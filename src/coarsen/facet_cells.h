@@ -38,6 +38,13 @@ class FacetCells {
   template <class Visit>
   void for_each_at(const Vec3& p, const Vec3& q, Visit&& visit) const {
     const Box box = common(box_of(p, q, q), all_);
+    // Where cells are tiny a line meets more of them than there are facets.
+    if (cells_of(box) > facets_.size()) {
+      for (std::size_t n = 0; n < facets_.size(); ++n) {
+        if (meet(box, boxes_[n])) visit(facets_[n]);
+      }
+      return;
+    }
     for_each_list(box, [&](std::size_t list) {
       for (std::uint32_t n = first_[list]; n < first_[list + 1]; ++n) {
         if (meet(box, boxes_[listed_[n]])) visit(facets_[listed_[n]]);
@@ -63,6 +70,13 @@ class FacetCells {
     const Four cell = (corner - all_.lo) * per_cell_;
     return {static_cast<std::uint32_t>(cell[0]), static_cast<std::uint32_t>(cell[1]),
             static_cast<std::uint32_t>(cell[2])};
+  }
+  // Returns the number of cells that the box meets. pre: it lies within `all_`.
+  std::uint64_t cells_of(const Box& box) const {
+    const auto low = cell_of(box.lo), high = cell_of(box.hi);
+    std::uint64_t product = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) product *= high[axis] - low[axis] + 1;
+    return product;
   }
   // Calls visit(list) for the cells that the box meets. pre: it lies within `all_`.
   template <class Visit>

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "base/box3.h"
 #include "base/random.h"
@@ -54,6 +55,22 @@ TEST_CASE("no two facets with a common place, and none on a line, are missed by 
     CHECK(missed == 0);
     CHECK(pairs.size() < 150 * 149 / 2);
   }
+}
+
+TEST_CASE("a line that meets more cells than there are facets finds those on it") {
+  // Tiny facets in a row.
+  TriMesh mesh;
+  constexpr std::uint32_t kFacets = 5;
+  for (std::uint32_t n = 0; n < kFacets; ++n) {
+    const Vec3 at{static_cast<double>(n), 0, 0};
+    for (const Vec3& side : {Vec3{0, -1, -1}, Vec3{0, 1, 0}, Vec3{1, 0, 1}}) {
+      mesh.points.push_back(at + 1e-6 * side);
+    }
+    mesh.faces.push_back({triangle_of(3 * n, 3 * n + 1, 3 * n + 2), {kNoId, kNoId, kNoId}});
+  }
+  std::vector<FaceId> met;
+  FacetCells(mesh).for_each_at({1, 0, 0}, {3.5, 0, 0}, [&](FaceId f) { met.push_back(f); });
+  CHECK(met == std::vector<FaceId>{FaceId(1), FaceId(2), FaceId(3)});
 }
 
 TEST_CASE("facets all at one place have cells") {
