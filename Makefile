@@ -29,7 +29,7 @@ ROOM ?=
 ROOM_TESTS = tests_$(subst /,_,$(ROOM))
 CASE ?=
 PROGRAMS ?=
-OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src io view app c tests bench figures examples -name '*.h' -o -name '*.cpp')
+OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src more check io view app c tests bench figures examples -name '*.h' -o -name '*.cpp')
 
 .PHONY: all demo test test-all room figures site bench datasets tables quality sanitize fuzz tidy format format-check install
 .PHONY: wheel deb doctest clean
@@ -143,8 +143,8 @@ fuzz:
 tidy:
 	@cmake -S . -Wno-dev -B $(BUILD)-tidy -DCMAKE_CXX_COMPILER=$(CLANG) -DDELISO_UNITE=OFF \
 	  -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=OFF >/dev/null
-	@$(if $(SINCE),git diff --name-only $(SINCE) -- src io view app c | sed 's/\.h$$/.cpp/',\
-	  find src io view app c -name '*.cpp') | grep '\.cpp$$' | sort -u | \
+	@$(if $(SINCE),git diff --name-only $(SINCE) -- src more check io view app c | sed 's/\.h$$/.cpp/',\
+	  find src more check io view app c -name '*.cpp') | grep '\.cpp$$' | sort -u | \
 	  while read -r file; do [ ! -f "$$file" ] || echo "$$file"; done | \
 	  xargs -r -P $(JOBS) -n 1 clang-tidy --quiet -p $(BUILD)-tidy
 

@@ -286,8 +286,8 @@ struct Exclusion {
 };
 // --vertices and --triangles choose the bound on the distance in Stage 2, so that others cannot set
 // it, and that there must be this stage. A part has no mesh file, and is made without the rest of
-// the mesh (mesh_parts.h). Shared labels are one mesh, and the options of each one's are none of
-// it.
+// the mesh (more/mesh_isosurface.h). Shared labels are one mesh, and the options of each one's are
+// none of it.
 constexpr Exclusion kExclusions[] = {
     {"--float", "--double", ""},
     {"--vertices", "--triangles --max-distance --stop-after --max-vertices", ""},

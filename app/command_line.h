@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "blocks/grid.h"
-#include "deliso/options.h"
 #include "io/mesh/write_mesh.h"
 #include "io/volume/read_volume.h"
 #include "paper/options.h"
+#include "run/options.h"
 #include "view/render/render.h"
 
 namespace deliso {

@@ -8,13 +8,13 @@
 #include <string>
 
 #include "app/command_line.h"
-#include "surface/criteria.h"
+#include "run/criteria.h"
 #include "volume/volume.h"
 
 namespace deliso {
 
 // Returns `deliso 0.1.0 r-min=0.5 max-distance=0.1 lambda=2` or the like, with all finite limits of
-// surface/criteria.h. Lengths in voxels.
+// run/criteria.h. Lengths in voxels.
 std::string criteria_note(const Criteria& criteria);
 
 // Returns the criteria of the first such line in a file's comments; nullopt if there is none. A

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words for the criteria of surface/criteria.h in options, help texts, reports and traces. A
+// The words for the criteria of run/criteria.h in options, help texts, reports and traces. A
 // new row there needs one here.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <array>
 #include <string_view>
 
-#include "surface/criteria.h"
+#include "run/criteria.h"
 
 namespace deliso {
 

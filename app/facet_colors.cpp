@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "app/bring_home.h"
+#include "app/facet_values.h"
 #include "base/check.h"
-#include "check/bring_home.h"
-#include "check/facet_values.h"
 #include "view/render/color_map.h"
 
 namespace deliso {

@@ -11,10 +11,10 @@
 #include "app/input.h"
 #include "app/progress.h"
 #include "contour/contour.h"
-#include "deliso/expected_vertices.h"
 #include "io/filter/histogram.h"
 #include "io/filter/segmentation.h"
 #include "io/filter/thresholds.h"
+#include "more/counts/expected_vertices.h"
 
 namespace deliso {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/facet_values.h"
 #include "base/triangle.h"
 #include "check/distances.h"
-#include "check/facet_values.h"
 
 namespace deliso {
 namespace {

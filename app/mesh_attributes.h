@@ -3,7 +3,7 @@
 #pragma once
 
 #include "io/mesh/write_mesh.h"
-#include "surface/report.h"
+#include "run/report.h"
 #include "volume/volume.h"
 
 namespace deliso {

@@ -21,7 +21,7 @@
 #include "io/mesh/write_mesh.h"
 #include "mesh/quality.h"
 #include "paper/report.h"
-#include "surface/report.h"
+#include "run/report.h"
 
 namespace deliso {
 

@@ -11,7 +11,7 @@
 
 #include "app/command_line.h"
 #include "base/vec3.h"
-#include "deliso/options.h"
+#include "run/options.h"
 
 namespace deliso {
 

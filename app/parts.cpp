@@ -9,11 +9,11 @@
 #include "base/check.h"
 #include "base/text.h"
 #include "blocks/mesh_in_blocks.h"
-#include "deliso/options.h"
 #include "io/files/text_scan.h"
 #include "io/filter/gaussian.h"
 #include "io/filter/nan_samples.h"
-#include "mesh_parts.h"
+#include "more/mesh_isosurface.h"
+#include "run/options.h"
 
 namespace deliso {
 namespace {

@@ -15,8 +15,8 @@
 #include "io/parts/part_file.h"
 #include "io/volume/read_volume.h"
 #include "mesh/tri_mesh.h"
-#include "surface/observer.h"
-#include "surface/report.h"
+#include "run/observer.h"
+#include "run/report.h"
 #include "volume/volume.h"
 
 namespace deliso {

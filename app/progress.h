@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "app/command_line.h"
-#include "surface/observer.h"
+#include "run/observer.h"
 
 namespace deliso {
 

@@ -9,7 +9,7 @@
 #include "app/report_writer.h"
 #include "paper/deliso.h"
 #include "paper/observer.h"
-#include "surface/report.h"
+#include "run/report.h"
 
 namespace deliso {
 

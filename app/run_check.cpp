@@ -4,13 +4,13 @@
 #include <utility>
 #include <vector>
 
+#include "app/bring_home.h"
 #include "app/check_report.h"
 #include "app/input.h"
 #include "app/output.h"
 #include "app/run.h"
 #include "base/check.h"
 #include "base/text.h"
-#include "check/bring_home.h"
 #include "check/verify.h"
 #include "contour/contour.h"
 #include "io/mesh/read_mesh.h"

@@ -16,6 +16,7 @@
 #include "app/peak_memory.h"
 #include "app/progress.h"
 #include "app/published.h"
+#include "app/round_points.h"
 #include "app/run.h"
 #include "app/signals.h"
 #include "app/solid.h"
@@ -26,13 +27,13 @@
 #include "base/text.h"
 #include "check/distances.h"
 #include "check/verify.h"
-#include "deliso/deliso.h"
-#include "deliso/expected_vertices.h"
 #include "io/files/input_file.h"
 #include "io/mesh/write_mesh.h"
 #include "isosurface/isosurface.h"
 #include "mesh/check_mesh.h"
 #include "mesh/quality.h"
+#include "more/counts/expected_vertices.h"
+#include "more/mesh_isosurface.h"
 
 namespace deliso {
 namespace {

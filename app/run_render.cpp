@@ -13,13 +13,13 @@
 #include <vector>
 
 #include "app/facet_colors.h"
+#include "app/facet_values.h"
 #include "app/output.h"
 #include "app/run.h"
 #include "app/signals.h"
 #include "app/text.h"
 #include "base/box3.h"
 #include "base/check.h"
-#include "check/facet_values.h"
 #include "io/mesh/read_mesh.h"
 #include "view/gray/gray.h"
 #include "view/render/color_map.h"

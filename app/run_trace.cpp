@@ -14,8 +14,8 @@
 #include "app/trace_page.h"
 #include "base/check.h"
 #include "base/text.h"
-#include "deliso/deliso.h"
 #include "mesh/check_mesh.h"
+#include "more/mesh_isosurface.h"
 #include "view/trace/record_paper.h"
 #include "view/trace/recorder.h"
 

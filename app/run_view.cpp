@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "app/bring_home.h"
+#include "app/facet_values.h"
 #include "app/input.h"
 #include "app/output.h"
 #include "app/run.h"
@@ -17,8 +19,6 @@
 #include "base/box3.h"
 #include "base/check.h"
 #include "base/text.h"
-#include "check/bring_home.h"
-#include "check/facet_values.h"
 #include "io/files/json.h"
 #include "io/mesh/read_mesh.h"
 #include "view/page/page.h"

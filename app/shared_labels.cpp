@@ -17,12 +17,12 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "check/place_faults.h"
-#include "deliso/deliso.h"
-#include "interfaces/interfaces.h"
 #include "io/files/append_format.h"
 #include "io/files/input_file.h"
 #include "io/mesh/write_mesh.h"
 #include "mesh/quality.h"
+#include "more/bodies/bodies.h"
+#include "more/mesh_isosurface.h"
 
 namespace deliso {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/command_line.h"
 #include "app/input.h"
 #include "base/topology_counts.h"
-#include "surface/report.h"
+#include "run/report.h"
 #include "view/page/page.h"
 #include "view/trace/trace.h"
 

@@ -16,10 +16,10 @@
 #include <utility>
 #include <vector>
 
-#include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
 #include "io/volume/read_volume.h"
-#include "surface/observer.h"
+#include "more/mesh_isosurface.h"
+#include "run/observer.h"
 
 using namespace deliso;
 

@@ -18,10 +18,10 @@
 #include "base/triangle.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
-#include "deliso/options.h"
 #include "io/volume/builtin_volume.h"
 #include "mesh/check_mesh.h"
 #include "refine/operations.h"
+#include "run/options.h"
 
 using namespace deliso;
 

@@ -17,8 +17,8 @@
 
 #include "blocks/grid.h"
 #include "io/volume/read_volume.h"
-#include "mesh_parts.h"
-#include "surface/observer.h"
+#include "more/mesh_isosurface.h"
+#include "run/observer.h"
 
 using namespace deliso;
 

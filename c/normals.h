@@ -6,8 +6,8 @@
 
 #include "base/vec3.h"
 #include "blocks/block.h"
-#include "deliso/options.h"
 #include "mesh/tri_mesh.h"
+#include "run/options.h"
 
 namespace deliso::c {
 

@@ -7,9 +7,9 @@
 
 #include "deliso/base/check.h"
 #include "deliso/check/verify.h"
-#include "deliso/deliso.h"
 #include "deliso/io/mesh/write_mesh.h"
 #include "deliso/io/volume/read_volume.h"
+#include "deliso/more/mesh_isosurface.h"
 
 namespace {
 

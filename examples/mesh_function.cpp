@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "deliso/base/check.h"
-#include "deliso/deliso.h"
 #include "deliso/io/mesh/write_mesh.h"
 #include "deliso/mesh/quality.h"
+#include "deliso/more/mesh_isosurface.h"
 #include "deliso/volume/volume.h"
 
 namespace {

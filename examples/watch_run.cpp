@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "deliso/base/check.h"
-#include "deliso/deliso.h"
 #include "deliso/io/volume/read_volume.h"
+#include "deliso/more/mesh_isosurface.h"
 #include "deliso/surface/criteria.h"
 #include "deliso/surface/report.h"
 #include "deliso/view/trace/recorder.h"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Do the tests of a primitive find a wrong one? Each patch here is a mutant: one wrong line of src/. Its
+# Do the tests of a primitive find a wrong one? Each patch here is a mutant: one wrong line of the code. Its
 # head says what is wrong, whose tests must find it ("Tests: ROOM"), and, where that cannot be, why
 # ("Equivalent:", no test can; "Waits:", not yet). A mutant is made in a copy of src/: its room is
 # compiled as one file and linked before the library, so that nothing else is built again.

@@ -7,7 +7,7 @@
 
 #include "isosurface/isosurface.h"
 #include "mesh/check_mesh.h"
-#include "surface/criteria.h"
+#include "run/criteria.h"
 #include "surface/surface_point.h"
 
 namespace deliso {

@@ -17,8 +17,8 @@
 #include <string_view>
 #include <vector>
 
-#include "deliso/options.h"
 #include "mesh/tri_mesh.h"
+#include "run/options.h"
 #include "volume/volume.h"
 
 namespace deliso {

@@ -7,8 +7,8 @@
 
 #include "contour/contour.h"
 #include "deliso/deliso.h"
-#include "deliso/options.h"
 #include "io/volume/builtin_volume.h"
+#include "run/options.h"
 
 namespace deliso::guide {
 

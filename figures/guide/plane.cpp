@@ -12,8 +12,8 @@
 #include "guide/drawing.h"
 #include "guide/figures.h"
 #include "guide/slice.h"
-#include "planar/constrained_triangulation.h"
-#include "planar/plane_predicates.h"
+#include "more/planar/constrained_triangulation.h"
+#include "more/planar/plane_predicates.h"
 
 namespace deliso::guide {
 namespace {

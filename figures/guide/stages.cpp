@@ -9,16 +9,16 @@
 #include "base/check.h"
 #include "base/triangle.h"
 #include "coarsen/contour_as_mesh.h"
-#include "deliso/deliso.h"
-#include "deliso/options.h"
 #include "guide/drawing.h"
 #include "guide/figures.h"
 #include "guide/handed.h"
 #include "guide/slice.h"
 #include "io/files/append_format.h"
 #include "io/volume/builtin_volume.h"
+#include "more/mesh_isosurface.h"
 #include "refine/operations.h"
 #include "refine/refine.h"
+#include "run/options.h"
 
 namespace deliso::guide {
 namespace {

@@ -11,7 +11,7 @@
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "refine/refine.h"
-#include "surface/observer.h"
+#include "run/observer.h"
 
 namespace deliso {
 namespace {
@@ -43,19 +43,6 @@ IdArray<VertexId, std::uint8_t> with_neighbors(const IdArray<VertexId, std::uint
 }
 
 }  // namespace
-
-VolumeSource source_of(const Volume& volume) {
-  return {
-      Volume::without_samples(volume.whole_dims(), volume.spacing(), volume.type(), volume.frame()),
-      [volume](const SampleBox& box) { return samples_of(volume, box); }, volume};
-}
-
-Volume all_of(const VolumeSource& source) {
-  return source.in_memory ? *source.in_memory : source.read({{}, source.shape.voxels()});
-}
-
-BoxSurface::BoxSurface(Volume of_box, double kappa)
-    : volume(std::move(of_box)), surface(volume, kappa) {}
 
 Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std::uint8_t> kept) {
   Block block;

@@ -5,30 +5,20 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "blocks/components.h"
 #include "blocks/grid.h"
-#include "deliso/options.h"
-#include "isosurface/isosurface.h"
+#include "isosurface/box_surface.h"
+#include "run/options.h"
+#include "run/report.h"
 #include "surface/boundary.h"
-#include "surface/report.h"
 #include "surface/surface_mesh.h"
+#include "volume/volume_source.h"
 
 namespace deliso {
-
-// The surface in a box of a volume.
-struct BoxSurface {
-  BoxSurface(Volume of_box, double kappa);
-  BoxSurface(const BoxSurface&) = delete;
-
-  Volume volume;
-  Isosurface surface;
-};
 
 struct Block {
   SampleBox box;                            // of one that is not welded
@@ -43,19 +33,6 @@ struct Block {
   IdArray<VertexId, std::uint8_t> may_thin;
   Report report;
 };
-
-// A volume whose samples are read box by box, so that no process needs all of them. `shape` has its
-// size, spacing, type and frame; its samples are read by `read` alone, in any thread.
-struct VolumeSource {
-  Volume shape;
-  std::function<Volume(const SampleBox&)> read;  // as samples_of() returns them
-  std::optional<Volume> in_memory{};             // what `read` copies from, if it does so
-};
-// Returns the source of a volume in memory. It may be a region of a larger one (Volume::as_block),
-// which is the source's; then only boxes within the region can be read.
-VolumeSource source_of(const Volume& volume);
-// Returns the volume itself, read if it is not in memory.
-Volume all_of(const VolumeSource& source);
 
 // What all blocks of a run have in common.
 struct BlockRun {

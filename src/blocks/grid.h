@@ -8,21 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "volume/volume.h"
+#include "volume/volume_source.h"
 
 namespace deliso {
-
-// Samples `begin` to `end`, both included, along each axis; counted as positions are, from the
-// first sample of the largest volume (volume/volume.h).
-struct SampleBox {
-  Index3 begin, end;
-  Index3 dims() const { return {end.i - begin.i + 1, end.j - begin.j + 1, end.k - begin.k + 1}; }
-  friend bool operator==(const SampleBox&, const SampleBox&) = default;
-};
-bool is_in(const SampleBox& inner, const SampleBox& outer);
-SampleBox united(SampleBox a, const SampleBox& b);
-// Returns the box with more samples on either side, cut off at sample 0 and `last`.
-SampleBox grown(SampleBox box, Index3 by, Index3 last);
 
 struct BlockGrid {
   // Per axis the planes of samples between which the blocks lie, first and last included.
@@ -55,9 +43,5 @@ CellRun cells_of(PartChoice part, std::size_t cells);
 // the volume's longest side, but 64 to 128. Where volumes are larger facets are too, and seams
 // would cost more vertices.
 int usual_block_side(const Volume& volume);
-
-// Returns a copy of the samples in the box, as a block of the volume; of all samples the volume
-// itself. The copy is contiguous, so that a block's work stays in the cache.
-Volume samples_of(const Volume& volume, const SampleBox& box);
 
 }  // namespace deliso

@@ -16,8 +16,7 @@
 #include "blocks/weld.h"
 #include "contour/contour.h"
 #include "mesh/check_mesh.h"
-#include "refine/coarsen.h"
-#include "surface/observer.h"
+#include "run/observer.h"
 
 namespace deliso {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "refine/refinement.h"
-#include "surface/report.h"
+#include "run/report.h"
 #include "surface/surface_mesh.h"
 
 namespace deliso {

@@ -12,7 +12,7 @@
 #include "coarsen/coarsen.h"
 #include "refine/coverage.h"
 #include "refine/refine.h"
-#include "surface/observer.h"
+#include "run/observer.h"
 
 namespace deliso {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/stopwatch.h"
 #include "coarsen/coarsener.h"
 #include "coarsen/embedding.h"
-#include "surface/observer.h"
+#include "run/observer.h"
 #include "surface/surface_point.h"
 
 namespace deliso {

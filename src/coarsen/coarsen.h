@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "isosurface/isosurface.h"
+#include "run/parameters.h"
+#include "run/report.h"
 #include "surface/boundary.h"
 #include "surface/free_box.h"
-#include "surface/parameters.h"
-#include "surface/report.h"
 #include "surface/surface_mesh.h"
 
 namespace deliso {

@@ -22,11 +22,11 @@
 #include "coarsen/coarsen.h"
 #include "isosurface/isosurface.h"
 #include "mesh/tri_mesh.h"
+#include "run/parameters.h"
+#include "run/report.h"
 #include "surface/boundary.h"
 #include "surface/facet_test.h"
 #include "surface/hole.h"
-#include "surface/parameters.h"
-#include "surface/report.h"
 #include "surface/ring.h"
 #include "surface/surface_point.h"
 

@@ -11,7 +11,7 @@
 #include "contour/fine_contour.h"
 #include "contour/plain_seams.h"
 #include "refine/refine.h"
-#include "surface/observer.h"
+#include "run/observer.h"
 
 namespace deliso {
 

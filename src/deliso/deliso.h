@@ -7,26 +7,16 @@
 #include <span>
 #include <vector>
 
-#include "deliso/options.h"
 #include "mesh/tri_mesh.h"
+#include "run/options.h"
+#include "run/report.h"
 #include "surface/boundary.h"
-#include "surface/report.h"
 #include "surface/surface_mesh.h"
 #include "volume/volume.h"
 
 namespace deliso {
 
 struct ContourMesh;
-
-// Returns the mesh of {g = kappa} in the scaled frame, with the frame of the volume. Facets are
-// counter-clockwise seen from g < kappa. The mesh is empty if no voxel holds the isovalue. With
-// options.cap the caps follow the surface, from report.cap.surface_triangles on; they may be a
-// whole box. Throws InputError for a volume without a voxel, beyond the limits of options.h and
-// beyond --max-vertices. pre: all samples are finite (value_range() was called).
-TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& options, Report& report);
-
-// The same without a report. Throws InputError for a NaN or infinite sample, too.
-TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& options = {});
 
 struct DelaunayMesh {
   SurfaceMesh mesh;

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "refine/refinement.h"
+#include "run/parameters.h"
+#include "run/report.h"
 #include "surface/boundary.h"
-#include "surface/parameters.h"
-#include "surface/report.h"
 #include "surface/surface_mesh.h"
 
 namespace deliso {

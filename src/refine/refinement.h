@@ -34,10 +34,10 @@
 #include "embedding/box_grid.h"
 #include "embedding/disk_crossing.h"
 #include "mesh/disk.h"
+#include "run/observer.h"
+#include "run/parameters.h"
+#include "run/report.h"
 #include "surface/free_box.h"
-#include "surface/observer.h"
-#include "surface/parameters.h"
-#include "surface/report.h"
 #include "surface/surface_mesh.h"
 #include "surface/surface_point.h"
 

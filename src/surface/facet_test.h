@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "base/triangle.h"
-#include "surface/parameters.h"
+#include "run/parameters.h"
 #include "volume/interpolant.h"
 
 namespace deliso {

@@ -11,8 +11,8 @@
 
 #include "base/triangle.h"
 #include "mesh/tri_mesh.h"
+#include "run/criteria.h"
 #include "surface/boundary.h"
-#include "surface/criteria.h"
 
 namespace deliso {
 

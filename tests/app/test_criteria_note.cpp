@@ -16,7 +16,7 @@
 #include "base/random.h"
 #include "base/text.h"
 #include "base/version.h"
-#include "deliso/fields.h"
+#include "fields.h"
 #include "io/damage.h"
 
 using namespace deliso;

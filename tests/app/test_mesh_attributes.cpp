@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
+#include "app/facet_values.h"
 #include "base/triangle.h"
-#include "check/facet_values.h"
-#include "deliso/deliso.h"
+#include "more/mesh_isosurface.h"
 #include "volume/sampled.h"
 
 using namespace deliso;

@@ -13,9 +13,9 @@
 #include "app/parsed_line.h"
 #include "app/published.h"
 #include "base/random.h"
-#include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
-#include "surface/observer.h"
+#include "more/mesh_isosurface.h"
+#include "run/observer.h"
 
 using namespace deliso;
 

@@ -21,7 +21,7 @@
 #include "app/text.h"
 #include "check/faults.h"
 #include "io/files/temporary_folder.h"
-#include "surface/report.h"
+#include "run/report.h"
 
 using namespace deliso;
 using namespace deliso::test;

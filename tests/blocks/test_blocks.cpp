@@ -12,10 +12,10 @@
 #include "cases.h"
 #include "check/verify.h"
 #include "contour/contour.h"
-#include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
 #include "mesh/check_mesh.h"
 #include "mesh/meshes.h"
+#include "more/mesh_isosurface.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;

@@ -8,10 +8,9 @@
 
 #include "blocks/equal_shares.h"
 #include "blocks/mesh_in_blocks.h"
-#include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
 #include "mesh/meshes.h"
-#include "mesh_parts.h"
+#include "more/mesh_isosurface.h"
 
 using namespace deliso;
 using test::same_mesh;

@@ -10,7 +10,7 @@
 #include "blocks/mesh_in_blocks.h"
 #include "cases.h"
 #include "deliso/deliso.h"
-#include "mesh_parts.h"
+#include "more/mesh_isosurface.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;

@@ -18,7 +18,7 @@
 #include "io/files/checksum.h"
 #include "io/files/temporary_folder.h"
 #include "io/parts/part_file.h"
-#include "surface/report.h"
+#include "run/report.h"
 
 using namespace deliso;
 

@@ -6,9 +6,9 @@
 
 #include <cmath>
 
-#include "deliso/deliso.h"
-#include "deliso/fields.h"
+#include "fields.h"
 #include "mesh/quality.h"
+#include "more/mesh_isosurface.h"
 #include "volume/sampled.h"
 
 using namespace deliso;

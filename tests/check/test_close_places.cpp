@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "deliso/fields.h"
+#include "fields.h"
 #include "volume/sampled.h"
 
 using namespace deliso;

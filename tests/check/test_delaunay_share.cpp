@@ -8,7 +8,7 @@
 
 #include "cases.h"
 #include "check/mesh_triangulation.h"
-#include "deliso/fields.h"
+#include "fields.h"
 #include "mesh/meshes.h"
 
 namespace deliso {

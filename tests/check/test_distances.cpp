@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "deliso/fields.h"
+#include "fields.h"
 #include "mesh/meshes.h"
 
 using namespace deliso;

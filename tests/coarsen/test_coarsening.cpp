@@ -9,7 +9,7 @@
 #include "check/self_intersections.h"
 #include "coarsen/coarsen.h"
 #include "coarsen/contour_as_mesh.h"
-#include "deliso/fields.h"
+#include "fields.h"
 #include "mesh/check_mesh.h"
 #include "mesh/component_kinds.h"
 #include "stress/tiny_volume.h"

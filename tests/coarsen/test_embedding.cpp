@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "coarsen/contour_as_mesh.h"
-#include "deliso/fields.h"
+#include "fields.h"
 
 using namespace deliso;
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "deliso/base/version.h"
-#include "deliso/deliso.h"
 #include "deliso/io/mesh/write_mesh.h"
 #include "deliso/io/volume/read_volume.h"
+#include "deliso/more/mesh_isosurface.h"
 
 int main(int argc, char** argv) {
   if (argc != 4) return 2;

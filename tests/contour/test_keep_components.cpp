@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "deliso/fields.h"
+#include "fields.h"
 
 using namespace deliso;
 

@@ -92,7 +92,7 @@ function look_up_row(text,   row, n, m, spans, parts, count, named, name, found)
     name = substr(text, RSTART, RLENGTH)
     text = substr(text, RSTART + RLENGTH)
     sub(/\.(h|cpp)$|\/[ ,|]$/, "", name)
-    if (name !~ /^(io|view|app)\//) name = "src/" name
+    if (name !~ /^(more|check|io|view|app)\//) name = "src/" name
     if ((name ".h") in file || (name ".cpp") in file || name in folder) named[name] = 1
   }
   n = split(row, spans, "`")

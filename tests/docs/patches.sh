@@ -30,7 +30,7 @@ check_patch() {
   name=$1
   tree=$work/$name
   mkdir "$tree"
-  for folder in src io view app tests bench docs; do
+  for folder in src more check io view app tests bench docs; do
     cp -r "$source/$folder" "$tree"
   done
   (cd "$tree" && patch -p1 --fuzz=0 --quiet <"$tree.patch") ||

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # What docs/guide/reading.md lists is there, and each of its lists is short enough to be read: a list
-# says "At most N lines". A row of its tables links a file of src/, and names functions or classes of
+# says "At most N lines". A row of its tables links a file of src/, more/ or check/, and names functions or classes of
 # it (reading.awk). The list of the paper has every function of src/paper of more than three lines.
 # Of each list it is counted which functions of its rooms a listed one calls that no list has.
 # Usage: reading.sh SOURCE
@@ -58,7 +58,11 @@ defined() {
     sub(/\(.*/, "", line)
     sub(/.*[ &*]/, "", line)
     if (line ~ /^([A-Za-z_]+::)*[a-z_]+$/) print FILENAME "\t" line
-  }' "src/$1"/*.cpp | sort -u
+  }' "$(in_tree "$1")"/*.cpp | sort -u
+}
+# The path of a room or a file: the trees beside src/ go by their names in full.
+in_tree() {
+  case $1 in more | more/* | check/* | check) echo "$1" ;; *) echo "src/$1" ;; esac
 }
 
 cut -f 1 "$work/list" | uniq >"$work/lists"
@@ -70,9 +74,10 @@ while read -r list; do
   : >"$work/text"
   while IFS='	' read -r _ _ file name; do
     count=0
-    if [ -f "src/$file" ]; then count=$(lines "src/$file" "$name"); else fault "$page: no src/$file"; fi
-    [ "$count" -gt 0 ] || fault "$page: src/$file does not define $name"
-    awk -v name="$name" -v show=1 -f tests/docs/reading.awk "src/$file" >>"$work/text"
+    at=$(in_tree "$file")
+    if [ -f "$at" ]; then count=$(lines "$at" "$name"); else fault "$page: no $at"; fi
+    [ "$count" -gt 0 ] || fault "$page: $at does not define $name"
+    awk -v name="$name" -v show=1 -f tests/docs/reading.awk "$at" >>"$work/text"
     total=$((total + count))
   done <"$work/rows"
   [ "$most" -gt 0 ] || fault "$page: $list does not say how many lines it has at most"
@@ -80,7 +85,7 @@ while read -r list; do
   # The names that are called, and which of them are functions of the same rooms that no list has.
   grep -oE '[a-z_]+\(' "$work/text" | tr -d '(' | sort -u >"$work/called"
   : >"$work/calls"
-  for room in $(cut -f 3 "$work/rows" | sed 's|/[^/]*$||; s|^[^/]*\.cpp$|.|' | sort -u); do
+  for room in $(cut -f 3 "$work/rows" | sed 's|/[^/]*$||' | sort -u); do
     defined "$room" | while IFS='	' read -r file name; do
       grep -qxF "$name" "$work/listed" && continue
       grep -qxF "${name##*:}" "$work/called" || [ "$room" = paper ] || continue

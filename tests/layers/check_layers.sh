@@ -1,14 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# A room of the five trees includes only itself, what is named here for it, and what that may use: a
-# room, or one file of it. The rooms of src/ go by their names alone, as in includes; so src/ knows
-# nothing of io/, view/ and app/. src/ itself holds mesh_isosurface() and mesh_part(). Usage: check_layers.sh PROJECT
+# A room of the seven trees includes only itself, what is named here for it, and what that may use: a
+# room, or one file of it. The rooms of src/ go by their names alone, as in includes. So src/, what
+# makes a mesh, includes nothing of the others: more/ is what is made of a mesh, check/ trusts no
+# stage. Usage: check_layers.sh PROJECT
 set -eu
 cd "$1"
 
-surface="base mesh embedding volume isosurface surface"
-stages="$surface roots delaunay planar kdtree contour coarsen refine"
-all="$stages deliso blocks cap interfaces recover"
+surface="base mesh embedding volume isosurface run surface"
+stages="$surface roots delaunay kdtree contour coarsen refine"
+all="$stages deliso blocks recover more more/bodies more/cap more/counts"
 io="io/files io/volume io/filter io/mesh io/parts"
 view="view/gray view/page view/render view/trace"
 
@@ -16,12 +17,12 @@ allowed() {
   case $1 in
     base) echo base ;;
     roots | delaunay | mesh | volume) echo "base $1" ;;
-    planar) echo "base delaunay planar" ;;
     kdtree) echo "base volume kdtree" ;;
     embedding) echo "base delaunay mesh embedding" ;;
     contour) echo "base volume delaunay mesh embedding contour" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
-    surface) echo "base mesh embedding volume isosurface surface" ;;
+    run) echo "base mesh volume isosurface run" ;;
+    surface) echo "$surface" ;;
     coarsen) echo "$surface delaunay contour coarsen" ;;
     recover) echo "base roots volume kdtree isosurface delaunay mesh embedding contour paper recover" ;;
     refine) echo "$surface refine" ;;
@@ -29,11 +30,13 @@ allowed() {
     # As published: the primitives alone. Of src/ only recover includes it.
     paper) echo "base roots volume kdtree isosurface delaunay mesh paper" ;;
     blocks) echo "$surface contour coarsen refine deliso blocks" ;;
-    cap) echo "$surface delaunay planar contour refine/refinement.h refine/lift_off.h cap" ;;
-    interfaces) echo "base delaunay mesh embedding volume interfaces" ;;
-    .) echo "mesh_parts.h $all" ;;
+    more) echo "$all" ;;
+    more/planar) echo "base delaunay more/planar" ;;
+    more/cap) echo "$surface delaunay contour refine more/planar more/cap" ;;
+    more/counts) echo "$surface contour refine blocks more/counts" ;;
+    more/bodies) echo "base delaunay mesh embedding volume more/bodies" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface" \
-      "surface/criteria.h check" ;;
+      "run/criteria.h check" ;;
     io/files) echo "base io/files" ;;
     io/volume) echo "base volume io/files io/volume" ;;
     io/filter) echo "base volume io/files io/filter" ;;
@@ -43,19 +46,18 @@ allowed() {
     view/render) echo "base mesh io/files view/render" ;;
     view/gray) echo "base volume io/files mesh view/render view/gray" ;;
     view/trace) echo "$surface delaunay contour paper recover refine view/trace" ;;
-    app) echo "mesh_parts.h $all paper check $io $view app" ;;
-    c) echo "mesh_parts.h $all paper check $io $view app c" ;;
+    app) echo "more/mesh_isosurface.h $all paper check $io $view app" ;;
+    c) echo "more/mesh_isosurface.h $all paper check $io $view app c" ;;
     *) return 1 ;;
   esac
 }
 
 files=0
 faults=0
-for file in $(find src io view app c -name '*.h' -o -name '*.cpp'); do
+for file in $(find src more check io view app c -name '*.h' -o -name '*.cpp'); do
   files=$((files + 1))
   room=${file%/*}
   room=${room#src/}
-  [ "$room" != src ] || room=.
   if ! may_use=$(allowed "$room"); then
     echo "$file: room '$room' has no place in the layers"
     faults=$((faults + 1))
@@ -63,7 +65,7 @@ for file in $(find src io view app c -name '*.h' -o -name '*.cpp'); do
   fi
   # No stage has threads: blocks have.
   case $room in
-    base | blocks | check | io/filter | view/* | app | c) threads=yes ;;
+    base | blocks | check | more/bodies | io/filter | view/* | app | c) threads=yes ;;
     *) threads= ;;
   esac
   for included in $(sed -n 's|^ *# *include *"\([^"]*\)".*|\1|p' "$file"); do

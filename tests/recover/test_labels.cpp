@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "deliso/fields.h"
+#include "fields.h"
 #include "mesh/tri_mesh.h"
 #include "recover/certificate.h"
 

@@ -15,13 +15,13 @@
 #include "base/triangle.h"
 #include "delaunay/predicates.h"
 #include "deliso/deliso.h"
-#include "deliso/fields.h"
-#include "deliso/options.h"
 #include "embedding/all_crossings.h"
+#include "fields.h"
 #include "mesh/check_mesh.h"
 #include "mesh/component_kinds.h"
 #include "refine/refine.h"
 #include "refine/refinement.h"
+#include "run/options.h"
 
 namespace deliso::test {
 

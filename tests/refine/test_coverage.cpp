@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-#include "refine/coarsen.h"
+#include "more/counts/coarsen.h"
 #include "refine/stage.h"
 
 using namespace deliso;

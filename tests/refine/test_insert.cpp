@@ -4,8 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
+#include "more/mesh_isosurface.h"
 #include "refine/stage.h"
 
 using namespace deliso;

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "refine/stage.h"
-#include "surface/criteria.h"
+#include "run/criteria.h"
 
 using namespace deliso;
 using namespace deliso::test;

@@ -12,8 +12,8 @@
 
 #include "base/text.h"
 #include "check/verify.h"
-#include "deliso/deliso.h"
 #include "mesh/meshes.h"
+#include "more/mesh_isosurface.h"
 #include "stress/judge.h"
 #include "stress/seeds.h"
 #include "stress/tiny_volume.h"

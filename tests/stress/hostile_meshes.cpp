@@ -18,7 +18,6 @@
 #include "app/run.h"
 #include "base/check.h"
 #include "base/random.h"
-#include "deliso/deliso.h"
 #include "io/damage.h"
 #include "io/mesh/mesh_files.h"
 #include "io/mesh/write_mesh.h"
@@ -26,6 +25,7 @@
 #include "io/volume/builtin_volume.h"
 #include "io/volume/volume_files.h"
 #include "mesh/meshes.h"
+#include "more/mesh_isosurface.h"
 #include "stress/in_child.h"
 #include "stress/seeds.h"
 

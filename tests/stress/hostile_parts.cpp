@@ -24,7 +24,7 @@
 #include "io/parts/part_file.h"
 #include "mesh/check_mesh.h"
 #include "mesh/meshes.h"
-#include "mesh_parts.h"
+#include "more/mesh_isosurface.h"
 #include "stress/in_child.h"
 #include "stress/judge.h"
 #include "stress/seeds.h"

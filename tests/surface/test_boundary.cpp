@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 
 #include "coarsen/contour_as_mesh.h"
-#include "deliso/fields.h"
-#include "deliso/options.h"
+#include "fields.h"
+#include "run/options.h"
 
 using namespace deliso;
 

@@ -7,7 +7,7 @@
 #include "base/triangle.h"
 #include "delaunay/voronoi.h"
 #include "refine/refinement.h"
-#include "surface/parameters.h"
+#include "run/parameters.h"
 
 namespace deliso {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "surface/observer.h"
-#include "surface/report.h"
+#include "run/observer.h"
+#include "run/report.h"
 #include "surface/surface_mesh.h"
 #include "view/trace/recording.h"
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "surface/criteria.h"
+#include "run/criteria.h"
 
 namespace deliso {
 

@@ -29,7 +29,7 @@
 #include "base/segment.h"
 #include "base/vec3.h"
 #include "mesh/tri_mesh.h"
-#include "surface/observer.h"
+#include "run/observer.h"
 
 namespace deliso {
 

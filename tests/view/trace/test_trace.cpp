@@ -17,10 +17,10 @@
 
 #include "base/box3.h"
 #include "delaunay/predicates.h"
-#include "deliso/deliso.h"
-#include "deliso/fields.h"
+#include "fields.h"
 #include "mesh/meshes.h"
 #include "mesh/star.h"
+#include "more/mesh_isosurface.h"
 #include "paper/deliso.h"
 #include "recover/certified.h"
 #include "refine/refinement.h"

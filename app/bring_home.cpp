@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "app/bring_home.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/to_float.h"
+#include "delaunay/predicates.h"
+
+namespace deliso {
+
+bool is_single_precision(const TriMesh& mesh) {
+  return std::ranges::all_of(mesh.points, [](const Vec3& p) { return to_float(p) == p; });
+}
+
+double bring_home(TriMesh& mesh, const Frame& at) {
+  double largest = 0;
+  const bool single = is_single_precision(mesh);
+  for (Vec3& p : mesh.points) {
+    for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::fabs(p[axis]));
+    p = at.from_world(p);  // exact where the frames are the same
+  }
+  // Coordinates too small for the predicates are far below all rounding.
+  for (Vec3& p : mesh.points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::fabs(p[axis]) < kSmallestCoordinate) p[axis] = 0;
+    }
+  }
+  if (at.left_handed()) {
+    for (Face& face : mesh.faces) std::swap(face.v[1], face.v[2]);
+  }
+  constexpr double kRounding = std::numeric_limits<double>::epsilon();
+  constexpr double kFloatRounding = std::numeric_limits<float>::epsilon();
+  return largest * (16 * kRounding + (single ? kFloatRounding : 0));
+}
+
+}  // namespace deliso

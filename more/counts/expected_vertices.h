@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// An estimate of a mesh's number of vertices, and of what the run takes. It counts the grid edges
+// that the surface crosses, at some of the samples. Each criterion needs a number of vertices per
+// area.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "contour/contour.h"
+#include "run/options.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+struct SurfaceEstimate {
+  double crossings = 0;  // of grid edges
+  double area = 0;       // in squares of Volume::voxel()
+  // Of the crossed edges along x and y, the share whose next edge is crossed too: sheets a sample
+  // thick.
+  double thin = 0;
+};
+
+// Returns the size of the surface from about 1 million samples, or all of a smaller volume. Within
+// a few percent.
+SurfaceEstimate estimate_surface(const Volume& volume, double kappa);
+
+// Returns the expected number of vertices. By the bound on the distance it is right within a factor
+// of 3, and mostly within 30 %, for noise too. By the paper's criteria it is only an order of
+// magnitude: their vertices at a crease depend on its angle. `surface`: the volume's at the
+// isovalue.
+double expected_vertices(const SurfaceEstimate& surface, const Volume& volume,
+                         const Options& options);
+inline double expected_vertices(const Volume& volume, double kappa, const Options& options) {
+  return expected_vertices(estimate_surface(volume, kappa), volume, options);
+}
+
+// The time and the memory of a run.
+struct ExpectedCost {
+  double seconds = 0, bytes = 0;
+
+  bool is_long() const { return seconds >= 60; }
+};
+// Returns the cost of a mesh and, with `verified`, of its check against the volume. Right within a
+// factor of 2 on a usual machine if the number of vertices is right.
+ExpectedCost expected_cost(const SurfaceEstimate& surface, double vertices, const Volume& volume,
+                           const Options& options, bool verified);
+
+}  // namespace deliso

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Events that the stages report while they run. Traces and progress bars implement
+// Observer; it has no influence on the result. Without an observer an event costs the test of a
+// pointer.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "base/box3.h"
+#include "base/ids.h"
+#include "base/step_counter.h"
+#include "base/vec3.h"
+#include "mesh/tri_mesh.h"
+#include "run/criteria.h"
+#include "run/report.h"
+
+namespace deliso {
+
+struct Parameters;
+struct Proposal;
+class Question;
+struct SurfaceMesh;
+
+// Why an operation is tried. The criteria follow, by reason_of().
+enum class Reason : std::uint8_t {
+  beginning,  // of a stage
+  not_delaunay,
+  no_surface_point,
+  off_curve,
+  far_point,
+  unneeded,  // of a vertex; those above are of facets
+  too_near,  // of a facet folded onto another, or with a short edge; of a vertex to be moved off
+  count_
+};
+constexpr Reason reason_of(Criterion c) {
+  return static_cast<Reason>(static_cast<unsigned>(Reason::count_) + static_cast<unsigned>(c));
+}
+
+class Observer {
+ public:
+  virtual ~Observer() = default;
+
+  virtual void stage_begins(const char* /*stage*/) {}
+  // The stage has done `done` steps, and `queued` more are known. A volume in several blocks has
+  // one stage, "blocks", whose steps are weights of blocks.
+  virtual void steps_done(std::size_t /*done*/, std::size_t /*queued*/) {}
+
+  // True if the events below are wanted. The volume is then one block.
+  virtual bool follows_insertions() const { return false; }
+
+  // The stages begin. They fill this report, whose counts follow along, until mesh_finished(). Of a
+  // volume in blocks it is the block's.
+  virtual void run_begins(const Parameters&, const Report&) {}
+
+  // Stage 1: T as a mesh, which has no duals yet.
+  virtual void contour_ready(const SurfaceMesh&) {}
+  // Stage 2: T is coarsened.
+  virtual void mesh_handed_over(const SurfaceMesh&) {}
+  // The operation was done, or it was refused and the mesh is unchanged. The question says why it
+  // was tried.
+  virtual void operation_tried(const Question&, Operation, const Proposal&,
+                               std::optional<Refusal>) {}
+  virtual void mesh_finished() {}
+};
+
+inline void begin_stage(Observer* observer, const char* stage) {
+  if (observer) observer->stage_begins(stage);
+}
+
+// Returns the observer if it follows insertions, else null.
+inline Observer* follower(Observer* observer) {
+  return observer && observer->follows_insertions() ? observer : nullptr;
+}
+
+using Steps = StepCounter<Observer>;
+
+}  // namespace deliso

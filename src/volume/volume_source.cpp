@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "volume/volume_source.h"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "base/check.h"
+
+namespace deliso {
+
+SampleBox grown(SampleBox box, Index3 by, Index3 last) {
+  for (int axis = 0; axis < 3; ++axis) {
+    box.begin[axis] = std::max(box.begin[axis] - by[axis], 0);
+    box.end[axis] = std::min(box.end[axis] + by[axis], last[axis]);
+  }
+  return box;
+}
+
+bool is_in(const SampleBox& inner, const SampleBox& outer) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (inner.begin[axis] < outer.begin[axis] || inner.end[axis] > outer.end[axis]) return false;
+  }
+  return true;
+}
+
+SampleBox united(SampleBox a, const SampleBox& b) {
+  for (int axis = 0; axis < 3; ++axis) {
+    a.begin[axis] = std::min(a.begin[axis], b.begin[axis]);
+    a.end[axis] = std::max(a.end[axis], b.end[axis]);
+  }
+  return a;
+}
+
+Volume samples_of(const Volume& volume, const SampleBox& box) {
+  const Index3 dims = box.dims(), first = volume.first();
+  DELISO_CHECK(is_in(box, {first, first + volume.voxels()}));
+  if (dims == volume.dims()) return volume;
+  const std::size_t size = size_of(volume.type());
+  const std::size_t row = size * dims.i;
+  const auto bytes = std::make_shared<std::vector<std::byte>>(row * dims.j * dims.k);
+  std::byte* to = bytes->data();
+  const std::byte* const from =
+      volume.visit([](const auto* samples) { return reinterpret_cast<const std::byte*>(samples); });
+  for (int k = box.begin.k - first.k; k <= box.end.k - first.k; ++k) {
+    for (int j = box.begin.j - first.j; j <= box.end.j - first.j; ++j, to += row) {
+      std::memcpy(to, from + size * volume.index(box.begin.i - first.i, j, k), row);
+    }
+  }
+  return Volume(dims, volume.spacing(), volume.type(), bytes->data(), bytes, volume.frame())
+      .as_block(box.begin, volume.whole_dims());
+}
+
+VolumeSource source_of(const Volume& volume) {
+  return {
+      Volume::without_samples(volume.whole_dims(), volume.spacing(), volume.type(), volume.frame()),
+      [volume](const SampleBox& box) { return samples_of(volume, box); }, volume};
+}
+
+Volume all_of(const VolumeSource& source) {
+  return source.in_memory ? *source.in_memory : source.read({{}, source.shape.voxels()});
+}
+
+}  // namespace deliso
