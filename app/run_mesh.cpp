@@ -26,12 +26,12 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "check/distances.h"
+#include "check/quality.h"
 #include "check/verify.h"
 #include "io/files/input_file.h"
 #include "io/mesh/write_mesh.h"
 #include "isosurface/isosurface.h"
 #include "mesh/check_mesh.h"
-#include "mesh/quality.h"
 #include "more/counts/expected_vertices.h"
 #include "more/mesh_isosurface.h"
 

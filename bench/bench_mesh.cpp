@@ -16,8 +16,8 @@
 #include "base/check.h"
 #include "base/random.h"
 #include "base/triangle.h"
+#include "blocks/mesh_in_blocks.h"
 #include "contour/contour.h"
-#include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
 #include "mesh/check_mesh.h"
 #include "refine/operations.h"
@@ -42,21 +42,24 @@ Parameters parameters_for(std::size_t count, double area, const Volume& volume) 
   return resolve(options, volume);
 }
 
-Options only_stage1() {
+// The coarsened contour, in one block.
+Block coarsened_contour(const Isosurface& surface, const Parameters& parameters) {
+  const VolumeSource source = source_of(surface.volume());
   Options options;
+  options.block_side = 0;
   options.stop_after_stage1 = true;
-  return options;
+  return mesh_in_blocks({source, surface.kappa(), options, parameters}, {}, {});
 }
 
 // Inserts until the mesh has `count` vertices, then that many again at random facets.
 class Insertion {
  public:
-  Insertion(const Isosurface& surface, const ContourMesh& contour, double area, std::size_t count)
+  Insertion(const Isosurface& surface, double area, std::size_t count)
       : parameters_(parameters_for(count, area, surface.volume())),
-        recovered_(
-            delaunay_mesh(surface, ContourMesh(contour), only_stage1(), parameters_, report_)),
-        mesh_(recovered_.mesh.mesh),
-        refinement_(recovered_.mesh, surface, recovered_.curves, parameters_, report_),
+        coarsened_(coarsened_contour(surface, parameters_)),
+        curves_(surface, coarsened_.loops),
+        mesh_(coarsened_.mesh.mesh),
+        refinement_(coarsened_.mesh, surface, curves_, parameters_, report_),
         count_(count) {}
 
   void run() {
@@ -79,15 +82,15 @@ class Insertion {
       return true;
     });
     flip();
-    remove_dead(recovered_.mesh);
+    remove_dead(coarsened_.mesh);
     const std::string fault = check_mesh(mesh_);
     if (!fault.empty()) throw InputError("the mesh broke: " + fault);
   }
 
  private:
   bool insert(FaceId f) {
-    if (is_dead(mesh_.faces[f]) || !recovered_.mesh.duals[f].on_surface) return false;
-    const Vec3 p = recovered_.mesh.duals[f].center;
+    if (is_dead(mesh_.faces[f]) || !coarsened_.mesh.duals[f].on_surface) return false;
+    const Vec3 p = coarsened_.mesh.duals[f].center;
     return !insert_point(refinement_, Operation::surface_point, f, p);
   }
 
@@ -126,7 +129,8 @@ class Insertion {
 
   Report report_;
   Parameters parameters_;
-  DelaunayMesh recovered_;
+  Block coarsened_;
+  BoundaryCurves curves_;
   const TriMesh& mesh_;
   Refinement refinement_;
   std::size_t count_;
@@ -149,7 +153,7 @@ int main(int argc, char** argv) try {
   const Isosurface surface(volume, kappa);
   for (const std::size_t count : counts) {
     if (count < 1000) throw InputError("POINTS: at least 1000");
-    Insertion(surface, contour, area, count).run();
+    Insertion(surface, area, count).run();
   }
   return 0;
 } catch (const std::exception& error) {

@@ -15,7 +15,7 @@
 #include "base/text.h"
 #include "base/triangle.h"
 #include "check/boundary_orientation.h"
-#include "contour/bounded_volume.h"
+#include "check/bounded_volume.h"
 
 namespace deliso {
 namespace {

@@ -15,6 +15,7 @@
 #include "more/cap/close_on_box.h"
 #include "more/cap/dissolve.h"
 #include "more/counts/coarsen.h"
+#include "more/counts/mesh_near_count.h"
 #include "more/mesh_isosurface.h"
 #include "refine/refine.h"
 #include "run/observer.h"
@@ -22,7 +23,10 @@
 namespace deliso {
 namespace {
 
-Parameters begin(const Volume& shape, double isovalue, const Options& options, Report& report) {
+// Returns the parameters, and reports what follows from the options alone. Throws InputError beyond
+// their limits.
+Parameters checked_parameters(const Volume& shape, double isovalue, const Options& options,
+                              Report& report) {
   require_limits(options, shape);
   const Parameters parameters = resolve(options, shape);
   report.r_min = parameters.r_min;
@@ -31,22 +35,23 @@ Parameters begin(const Volume& shape, double isovalue, const Options& options, R
 }
 
 // A solid whose components are chosen: which are kept, and the corners of the box inside it.
-std::optional<Dissolved> dissolved(const VolumeSource& source, double kappa,
-                                   const Options& options) {
-  if (!options.cap || options.components.is_all()) return std::nullopt;
-  return dissolve_others(all_of(source), kappa, options.components);
+std::optional<Dissolved> dissolved(const RunInput& run) {
+  if (!run.options.cap || run.options.components.is_all()) return std::nullopt;
+  return dissolve_others(all_of(run.source), run.kappa, run.options.components);
 }
 
 // Does what only the whole mesh can have done: topology, counts and caps.
-TriMesh finish(Block whole, const VolumeSource& source, const std::optional<Dissolved>& solid,
-               const Options& options, const Parameters& parameters, Report& report) {
-  const double kappa = report.kappa_effective;
+TriMesh finish(Block whole, const RunInput& run, const std::optional<Dissolved>& solid,
+               Report& report) {
+  const Options& options = run.options;
+  const Parameters& parameters = run.parameters;
+  report.add(whole.report);
   std::optional<BoxSurface> at;
-  if (options.cap || parameters.has_target()) at.emplace(all_of(source), kappa);
-  report.exact = joined(whole.components, source.shape.dims()).topology;
+  if (options.cap || options.has_target()) at.emplace(all_of(run.source), run.kappa);
+  report.exact = joined(whole.components, run.source.shape.dims()).topology;
   count_unrefined(whole.mesh, parameters, report);
-  if (parameters.has_target() && !options.stop_after_stage1) {
-    coarsen_to_target(whole.mesh, at->surface, {at->surface, whole.loops}, whole.samples,
+  if (options.has_target() && !options.stop_after_stage1) {
+    coarsen_to_target(whole.mesh, at->surface, {at->surface, whole.loops}, whole.samples, options,
                       parameters, report);
   }
   report.vertices_refined = whole.mesh.mesh.points.size();
@@ -54,15 +59,19 @@ TriMesh finish(Block whole, const VolumeSource& source, const std::optional<Diss
   if (options.cap) {
     begin_stage(parameters.observer, "cap");
     const std::array<bool, 8> inside =
-        solid ? solid->corner_inside : corners_inside(at->volume, kappa);
+        solid ? solid->corner_inside : corners_inside(at->volume, run.kappa);
     close_on_box(whole.mesh, at->surface, {at->surface, whole.loops}, inside, parameters, report);
   }
-  whole.mesh.mesh.frame = source.shape.frame();
+  whole.mesh.mesh.frame = run.source.shape.frame();
   return std::move(whole.mesh.mesh);
 }
 
-void require_no_whole(const Parameters& parameters) {
-  if (!parameters.has_target()) return;
+std::vector<std::uint8_t> kept_by(const std::optional<Dissolved>& solid) {
+  return solid ? solid->kept : std::vector<std::uint8_t>();
+}
+
+void require_no_whole(const Options& options) {
+  if (!options.has_target()) return;
   throw InputError("not in parts: a number of vertices or triangles is that of all of the mesh");
 }
 
@@ -72,11 +81,12 @@ TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& op
                         Report& report) {
   const StepTimer total(report.seconds_total);
   const VolumeSource source = source_of(volume);
-  const Parameters parameters = begin(volume, isovalue, options, report);
-  const auto solid = dissolved(source, report.kappa_effective, options);
-  Block whole = mesh_in_blocks(source, report.kappa_effective, options, parameters,
-                               solid ? solid->kept : std::vector<std::uint8_t>(), {}, report);
-  return finish(std::move(whole), source, solid, options, parameters, report);
+  const Parameters parameters = checked_parameters(volume, isovalue, options, report);
+  const RunInput run{source, report.kappa_effective, options, parameters};
+  const auto solid = dissolved(run);
+  Block whole = options.has_target() ? mesh_near_count(run, kept_by(solid))
+                                     : mesh_in_blocks(run, {}, kept_by(solid));
+  return finish(std::move(whole), run, solid, report);
 }
 
 SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice part) {
@@ -90,25 +100,23 @@ SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice pa
 
 Block mesh_part(const VolumeSource& source, double isovalue, const Options& options,
                 PartChoice part) {
+  require_no_whole(options);
   Report report;
-  const Parameters parameters = begin(source.shape, isovalue, options, report);
-  require_no_whole(parameters);
-  const auto solid = dissolved(source, report.kappa_effective, options);
-  Block block = mesh_in_blocks(source, report.kappa_effective, options, parameters,
-                               solid ? solid->kept : std::vector<std::uint8_t>(), part, report);
+  const Parameters parameters = checked_parameters(source.shape, isovalue, options, report);
+  const RunInput run{source, report.kappa_effective, options, parameters};
+  Block block = mesh_in_blocks(run, part, kept_by(dissolved(run)));
+  report.add(block.report);
   block.report = report;
   return block;
 }
 
 TriMesh mesh_of_parts(const VolumeSource& source, double isovalue, const Options& options,
                       std::vector<Block> parts, Report& report) {
+  require_no_whole(options);
   const StepTimer total(report.seconds_total);
-  const Parameters parameters = begin(source.shape, isovalue, options, report);
-  require_no_whole(parameters);
-  Block whole =
-      join_parts(source, report.kappa_effective, options, parameters, std::move(parts), report);
-  return finish(std::move(whole), source, dissolved(source, report.kappa_effective, options),
-                options, parameters, report);
+  const Parameters parameters = checked_parameters(source.shape, isovalue, options, report);
+  const RunInput run{source, report.kappa_effective, options, parameters};
+  return finish(join_parts(run, std::move(parts)), run, dissolved(run), report);
 }
 
 TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& options) {

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "base/random.h"
+#include "blocks/mesh_in_blocks.h"
 #include "contour/contour.h"
-#include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
 #include "isosurface/isosurface.h"
-#include "run/report.h"
+#include "run/options.h"
 #include "volume/sampled.h"
 #include "volume/volume.h"
 
@@ -39,11 +39,13 @@ inline Options paper_criteria() {
   return options;
 }
 
-// For delaunay_mesh(): Stage 1 alone.
-inline Options stage1_only() {
+// The coarsened contour, in one block.
+inline Block stage1_of(const Scene& scene, const Parameters& parameters) {
+  const VolumeSource source = source_of(scene.volume);
   Options options;
+  options.block_side = 0;
   options.stop_after_stage1 = true;
-  return options;
+  return mesh_in_blocks({source, scene.surface.kappa(), options, parameters}, {}, {});
 }
 
 inline Scene builtin_scene(const std::string& name, int size) {

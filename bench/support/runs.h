@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "deliso/deliso.h"
+#include "more/mesh_isosurface.h"
 #include "paper/deliso.h"
 #include "support/datasets.h"
 #include "support/statistics.h"

@@ -5,19 +5,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "blocks/mesh_in_blocks.h"
 #include "contour/contour.h"
-#include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
 #include "run/options.h"
 
 namespace deliso::guide {
-
-// For delaunay_mesh(): Stage 1 alone.
-inline Options stage1_only() {
-  Options options;
-  options.stop_after_stage1 = true;
-  return options;
-}
 
 struct Handed {
   Volume volume;
@@ -26,7 +19,8 @@ struct Handed {
   Isosurface surface;
   Parameters parameters;
   Report report;
-  DelaunayMesh coarsened;
+  Block coarsened;
+  BoundaryCurves curves;
 
   Handed(const char* field, double isovalue, const Options& options)
       : volume(make_builtin_volume(field)),
@@ -34,7 +28,16 @@ struct Handed {
         contour(build_contour(volume, kappa)),
         surface(volume, kappa),
         parameters(resolve(options, volume)),
-        coarsened(delaunay_mesh(surface, ContourMesh(contour), stage1_only(), parameters, report)) {
+        coarsened(stage1()),
+        curves(surface, coarsened.loops) {}
+
+ private:
+  Block stage1() const {
+    const VolumeSource source = source_of(volume);
+    Options options;
+    options.block_side = 0;
+    options.stop_after_stage1 = true;
+    return mesh_in_blocks({source, kappa, options, parameters}, {}, {});
   }
 };
 

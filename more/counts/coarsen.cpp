@@ -276,13 +276,14 @@ std::size_t coarsen(Refinement& r, std::size_t vertices, std::size_t triangles) 
 }
 
 void coarsen_to_target(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-                       std::span<const Vec3> samples, const Parameters& given, Report& report) {
+                       std::span<const Vec3> samples, const Options& options,
+                       const Parameters& given, Report& report) {
   const StepTimer timer(report.seconds_refine);
   begin_stage(given.observer, "thin");
   Parameters parameters = given;
   parameters.refinement[Criterion::distance] = kNotAsked;
   Refinement r(mesh, surface, curves, parameters, report);
-  coarsen(r, given.target_vertices, given.target_triangles);
+  coarsen(r, options.target_vertices, options.target_triangles);
   separate(r, IdArray<VertexId, std::uint8_t>(mesh.mesh.points.size(), 1));
   count_unrefined(mesh, parameters, report);
   report.max_distance = furthest_distance(mesh.mesh, r.facets(), samples, parameters.voxel);

@@ -18,6 +18,7 @@
 #include <span>
 
 #include "refine/refinement.h"
+#include "run/options.h"
 
 namespace deliso {
 
@@ -27,9 +28,10 @@ namespace deliso {
 std::size_t coarsen(Refinement& r, std::size_t vertices,
                     std::size_t triangles = std::numeric_limits<std::size_t>::max());
 
-// Coarsens the mesh to the numbers that the parameters have as targets. Sets report.max_distance to
+// Coarsens the mesh to the desired numbers of the options. Sets report.max_distance to
 // the distance of the sample that is furthest from the mesh then.
 void coarsen_to_target(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-                       std::span<const Vec3> samples, const Parameters& parameters, Report& report);
+                       std::span<const Vec3> samples, const Options& options,
+                       const Parameters& parameters, Report& report);
 
 }  // namespace deliso

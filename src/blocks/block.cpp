@@ -9,7 +9,8 @@
 #include "coarsen/coarsen.h"
 #include "coarsen/contour_as_mesh.h"
 #include "contour/contour.h"
-#include "deliso/deliso.h"
+#include "contour/fine_contour.h"
+#include "contour/plain_seams.h"
 #include "refine/refine.h"
 #include "run/observer.h"
 
@@ -42,6 +43,17 @@ IdArray<VertexId, std::uint8_t> with_neighbors(const IdArray<VertexId, std::uint
   return more;
 }
 
+// Makes T embedded, and its seams plain.
+void make_embedded(ContourMesh& contour, const Volume& volume, const BlockRun& run,
+                   Report& report) {
+  begin_stage(run.parameters.observer, "cutting");
+  const StepTimer timer(report.seconds_contour);
+  contour = fine_contour(std::move(contour), volume, run.kappa);
+  make_seams_plain(contour, volume);
+  report[Counter::voxels_cut] = contour.split_voxels;
+  report[Counter::voxels_crossed] = contour.crossed_voxels;
+}
+
 }  // namespace
 
 Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std::uint8_t> kept) {
@@ -54,12 +66,11 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
       timed(report.seconds_contour, [&] { return build_contour(volume, run.kappa); });
   if (contour.points.empty()) return block;
   block.components.push_back(components_of(contour, volume));
-  const BoxSurface at(volume, run.kappa);
-  make_fine(contour, at.surface, run.parameters, report);
+  make_embedded(contour, volume, run, report);
   if (!kept.empty()) keep_components(contour, kept);
   if (contour.points.empty()) return block;
 
-  const bool has_seams = at.volume.inner_faces() != 0;
+  const BoxSurface at(volume, run.kappa);
   block.loops =
       std::make_shared<const BoundaryLoops>(boundary_loops(contour, at.volume.inner_faces()));
   const BoundaryCurves curves(at.surface, block.loops);
@@ -67,13 +78,19 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
   for (const Vec3& p : contour.points) {
     (within.contains(p) ? block.samples : block.samples_near_seams).push_back(p);
   }
-  Options options = run.options;
-  options.stop_after_stage1 |= run.parameters.has_target();
-  block.mesh =
-      delaunay_mesh(at.surface, contour, curves, block.samples, options, run.parameters, report);
-  if (run.parameters.has_target()) return block;
-  block.samples = std::vector<Vec3>();
-  if (!has_seams) return block;
+  Observer* const observer = follower(run.parameters.observer);
+  if (observer) observer->run_begins(run.parameters, report);
+  block.mesh = contour_as_mesh(contour);
+  contour = {};
+  if (observer) observer->contour_ready(block.mesh);
+  coarsen(block.mesh, at.surface, curves, run.parameters, report);
+  if (observer) observer->mesh_handed_over(block.mesh);
+  if (!run.options.stop_after_stage1) {
+    refine(block.mesh, at.surface, curves, block.samples, run.parameters, report);
+    block.samples = {};
+  }
+  if (observer) observer->mesh_finished();
+  if (at.volume.inner_faces() == 0) return block;
   // Blocks wait for each other.
   block.samples_near_seams.shrink_to_fit();
   block.mesh.mesh.points.shrink_to_fit();

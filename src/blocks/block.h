@@ -25,7 +25,8 @@ struct Block {
   std::vector<BlockComponents> components;  // of each that was welded
   SurfaceMesh mesh;
   std::shared_ptr<const BoundaryLoops> loops;  // of its chain
-  // Reference samples, vertices of T: those near inner faces; and with a desired count the others.
+  // Reference samples, vertices of T: those near inner faces; and, of a block that ended with Stage
+  // 1, the others.
   std::vector<Vec3> samples_near_seams, samples;
   // What is left to do at seams: nonzero for facets to refine, and vertices to remove. Both are
   // empty until mark_seam_work().
@@ -34,20 +35,24 @@ struct Block {
   Report report;
 };
 
-// What all blocks of a run have in common.
-struct BlockRun {
+// What a run meshes, and how. `parameters`: resolve() of the options, perhaps with other limits.
+struct RunInput {
   const VolumeSource& source;
   double kappa;
   const Options& options;
   const Parameters& parameters;
+};
+// The same with what its blocks have in common. `parameters` are then those in a block.
+struct BlockRun : RunInput {
   const BlockGrid& grid;
 };
 
-// Meshes a block. With a desired count it ends with Stage 1. `kept`: per component of the block's
-// contour, nonzero if it is kept; empty: all are.
+// Figure 4 of the exact program: T, coarsened, then refined. `kept`: per component of the block's
+// contour, nonzero if it is kept; empty: all are. With options.stop_after_stage1 the mesh is the
+// coarsened contour.
 Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std::uint8_t> kept);
 
-// One of the stages once more, as the run's criteria have changed.
+// One of the stages once more, by other criteria. pre: the block ended with Stage 1.
 void coarsen_block(const BlockRun& run, Block& block);
 void refine_block(const BlockRun& run, Block& block);
 

@@ -23,7 +23,8 @@ struct BlockGrid {
   // passed back and forth, so each cell but the first shares a face with the one before it, and
   // those of a run that meet at an edge meet at faces, too.
   std::vector<SampleBox> boxes() const;
-  Index3 cells() const;                      // along each axis
+  Index3 cells() const;  // along each axis
+  bool is_divided() const { return cells() != Index3{1, 1, 1}; }
   Index3 cell_of(Index3 voxel) const;        // by its place in the grid
   std::size_t number_of(Index3 cell) const;  // in the order of boxes()
 };

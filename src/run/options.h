@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "run/parameters.h"
 #include "volume/volume.h"
@@ -34,6 +35,12 @@ struct Options : RunSettings {
   // kUsualSide: the samples decide, or usual_block_side() of blocks/grid.h.
   static constexpr int kUsualSide = -1;
   int block_side = kUsualSide;
+
+  // The desired numbers of vertices and triangles, caps left out: no more than these. If one is
+  // given, the bound on the distance follows from it.
+  static constexpr std::size_t kNoTarget = std::numeric_limits<std::size_t>::max();
+  std::size_t target_vertices = kNoTarget, target_triangles = kNoTarget;
+  bool has_target() const { return target_vertices != kNoTarget || target_triangles != kNoTarget; }
 
   bool stop_after_stage1 = false;  // the mesh is the coarsened contour
   bool cap = false;                // close the mesh on the box (more/cap/close_on_box.h)

@@ -20,15 +20,9 @@ struct RunSettings {
   ComponentChoice components;
   // The mesh is the same with any number.
   int threads = hardware_threads();
-  static constexpr std::size_t kNoTarget = std::numeric_limits<std::size_t>::max();
-  // The desired numbers of vertices and triangles, caps left out: no more than these. If one is
-  // given, the bound on the distance follows from it.
-  std::size_t target_vertices = kNoTarget, target_triangles = kNoTarget;
   std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
   // A progress bar or a trace (run/observer.h); may be null.
   Observer* observer = nullptr;
-
-  bool has_target() const { return target_vertices != kNoTarget || target_triangles != kNoTarget; }
 };
 
 struct Parameters : RunSettings {

@@ -9,7 +9,6 @@
 #include "blocks/grid.h"
 #include "blocks/mesh_in_blocks.h"
 #include "cases.h"
-#include "deliso/deliso.h"
 #include "more/mesh_isosurface.h"
 #include "stress/tiny_volume.h"
 

@@ -9,6 +9,8 @@
 #include "check/self_intersections.h"
 #include "coarsen/coarsen.h"
 #include "coarsen/contour_as_mesh.h"
+#include "contour/fine_contour.h"
+#include "contour/plain_seams.h"
 #include "fields.h"
 #include "mesh/check_mesh.h"
 #include "mesh/component_kinds.h"
@@ -23,10 +25,15 @@ struct Coarse {
   explicit Coarse(Scene& scene, const Options& options = {})
       : parameters(resolve(options, scene.volume)),
         loops(std::make_shared<BoundaryLoops>()),
-        curves((make_fine(scene.contour, scene.surface, parameters, report),
-                *loops = boundary_loops(scene.contour), BoundaryCurves(scene.surface, loops))),
+        curves((embed(scene), *loops = boundary_loops(scene.contour),
+                BoundaryCurves(scene.surface, loops))),
         mesh(contour_as_mesh(scene.contour)) {
     coarsen(mesh, scene.surface, curves, parameters, report);
+  }
+
+  static void embed(Scene& scene) {
+    scene.contour = fine_contour(std::move(scene.contour), scene.volume, scene.surface.kappa());
+    make_seams_plain(scene.contour, scene.volume);
   }
 
   Parameters parameters;

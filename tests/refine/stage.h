@@ -14,7 +14,6 @@
 #include "base/random.h"
 #include "base/triangle.h"
 #include "delaunay/predicates.h"
-#include "deliso/deliso.h"
 #include "embedding/all_crossings.h"
 #include "fields.h"
 #include "mesh/check_mesh.h"
@@ -153,11 +152,11 @@ class Stage {
   explicit Stage(const Scene& of, const Options& options = {}, bool refined = false)
       : scene(of),
         parameters(resolve(options, of.volume)),
-        recovered(
-            delaunay_mesh(of.surface, ContourMesh(of.contour), stage1_only(), parameters, report)),
-        surface_mesh(recovered.mesh),
-        mesh(refined ? refined_mesh() : recovered.mesh.mesh),
-        r(recovered.mesh, of.surface, recovered.curves, parameters, report),
+        coarsened(stage1_of(of, parameters)),
+        curves(of.surface, coarsened.loops),
+        surface_mesh(coarsened.mesh),
+        mesh(refined ? refined_mesh() : surface_mesh.mesh),
+        r(surface_mesh, of.surface, curves, parameters, report),
         kinds_(kinds_of(mesh)),
         turned_out_(turned_out(mesh)) {
     const ValueRange range = value_range(scene.volume);
@@ -295,15 +294,16 @@ class Stage {
   const Scene& scene;
   Report report;
   Parameters parameters;  // a test may change them
-  DelaunayMesh recovered;
+  Block coarsened;
+  BoundaryCurves curves;
   SurfaceMesh& surface_mesh;
   const TriMesh& mesh;
   Refinement r;
 
  private:
   const TriMesh& refined_mesh() {
-    refine(recovered.mesh, scene.surface, recovered.curves, recovered.samples, parameters, report);
-    return recovered.mesh.mesh;
+    refine(surface_mesh, scene.surface, curves, coarsened.samples, parameters, report);
+    return surface_mesh.mesh;
   }
 
   // The chain's edges are the boundary edges, the way the chain runs or against it.

@@ -58,7 +58,7 @@ struct Insertion {
     splits_before = done(stage, Operation::boundary_split);
     const std::uint32_t kind = random.below(8);
     const std::array<FaceId, 3>& beyond = stage.mesh.faces[now.f].n;
-    const std::vector<Vec3>& samples = stage.recovered.samples;
+    const std::vector<Vec3>& samples = stage.coarsened.samples;
     if (kind == 0) {
       for (int i = 0; i < 3; ++i) boundary_side = beyond[i] == kNoId ? i : boundary_side;
     } else if (kind < 4) {
@@ -355,7 +355,7 @@ Proposal random_proposal(Stage& stage, FaceId f, Random& random) {
     }
     made.what = Proposal::Vertex::comes;
     made.vertex = VertexId(mesh.points.size());
-    made.place = stage.point_near(f, random).value_or(stage.recovered.samples[0]);
+    made.place = stage.point_near(f, random).value_or(stage.coarsened.samples[0]);
     for (const Disk::BoundaryEdge& e : boundary_of_cavity()) {
       made.in.facets.push_back({e.from, e.to, made.vertex});
     }

@@ -19,7 +19,6 @@
 #include "base/random.h"
 #include "base/text.h"
 #include "check/verify.h"
-#include "deliso/deliso.h"
 #include "io/files/checksum.h"
 #include "io/parts/part_file.h"
 #include "mesh/check_mesh.h"

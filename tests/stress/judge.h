@@ -7,9 +7,9 @@
 #include <string>
 
 #include "check/verify.h"
-#include "deliso/deliso.h"
 #include "mesh/check_mesh.h"
 #include "mesh/component_kinds.h"
+#include "more/mesh_isosurface.h"
 
 namespace deliso::stress {
 

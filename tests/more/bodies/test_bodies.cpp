@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "check/place_faults.h"
+#include "check/quality.h"
 #include "mesh/check_mesh.h"
-#include "mesh/quality.h"
 
 using namespace deliso;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "contour/bounded_volume.h"
+#include "check/bounded_volume.h"
 
 namespace deliso {
 

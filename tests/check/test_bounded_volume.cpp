@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The volumes that spheres bound, whole or cut by the box, against the formula.
-#include "contour/bounded_volume.h"
+#include "check/bounded_volume.h"
 #include "volume/sampled.h"
 
 #include <doctest/doctest.h>
