@@ -199,8 +199,10 @@ class Coarsening {
         p.is_due = true;
         return;
       }
-      const auto refusal = merge(v, to);
-      if (refusal == Refusal::uncovers) continue;
+      const MergeShape after = shape_after_merge(r_, star_, v, to);
+      std::optional<Refusal> refusal = test_shape(after, v, to);
+      if (!refusal && raises_cost(p, after)) continue;
+      if (!refusal) refusal = merge(v, to);
       if (!r_.done(Operation::collapse, refusal)) return;
       p.lacks_shape |= refusal == Refusal::no_gain;
       p.lacks_surface_point |= refusal == Refusal::no_surface_point;
@@ -217,21 +219,26 @@ class Coarsening {
            });
   }
 
-  // Returns the test that refused it; `uncovers` if it costs more than was known. pre: star_.
-  std::optional<Refusal> merge(VertexId from, VertexId to) {
+  // Returns what refuses the merge before it is proposed. pre: star_.
+  std::optional<Refusal> test_shape(const MergeShape& after, VertexId from, VertexId to) {
     if (orientation_.reverses(star_, from, to)) return Refusal::turned;
-    const MergeShape after = shape_after_merge(r_, star_, from, to);
-    if (ask_ == Ask::shape && !is_good(after.ratio2)) return Refusal::no_gain;
+    const bool is_refused = ask_ == Ask::shape && !is_good(after.ratio2);
+    return is_refused ? std::optional(Refusal::no_gain) : std::nullopt;
+  }
+
+  // Raises the cost by what is known of the distance now. True if it was less.
+  bool raises_cost(Pick& p, const MergeShape& after) const {
     const double cost = after.distance2 * area_ / static_cast<double>(triangles_);
-    if (cost > picks_[from].cost) {
-      picks_[from].cost = cost;
-      return Refusal::uncovers;
-    }
-    if (const auto refusal = propose_merge(r_, facet_[from], from, to)) return refusal;
-    r_.proposal.asks_surface = ask_ != Ask::topology;
-    const auto refusal = r_.replace([&] {
-      return !r_.proposal.duals.empty() ||  // tested before
-             !orientation_.passes_component(from, to);
+    return cost > std::exchange(p.cost, std::max(p.cost, cost));
+  }
+
+  // pre: star_.
+  std::optional<Refusal> merge(VertexId from, VertexId to) {
+    Gates gates;
+    gates.surface_points = gates.orients_flat = ask_ != Ask::topology;
+    const auto refusal = merge_corner(r_, facet_[from], from, to, gates, [&](const Replacement& c) {
+      return !c.duals.empty() ||  // tested before
+             !orientation_.passes_component(c.cavity.disk, from, to);
     });
     if (refusal) return refusal == Refusal::no_gain ? Refusal::crossing : refusal;
     orientation_.merged(from, to);
@@ -239,7 +246,7 @@ class Coarsening {
     error_[to] = quadrics_[to].at(r_.point(to));
     facet_[from] = kNoId;
     --vertices_;
-    triangles_ -= r_.proposal.was.facets.size() - r_.proposal.in.facets.size();
+    triangles_ -= star_.size() - r_.created().size();
     for (const FaceId f : r_.created()) {
       for (const VertexId v : r_.mesh.faces[f].v) {
         facet_[v] = f;
