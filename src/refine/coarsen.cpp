@@ -175,14 +175,12 @@ class Coarsening {
     picks_[v].cost = best.first;
   }
 
-  // Leaves the cheapest merges, in order.
+  // Leaves the cheapest merges, in order. pre: there are some.
   void sort(std::size_t beyond) {
     const std::size_t some = std::min(beyond, 1 + merges_.size() / kShare);
-    if (some < merges_.size()) {
-      const auto end = merges_.begin() + static_cast<std::ptrdiff_t>(some);
-      std::nth_element(merges_.begin(), end, merges_.end());
-      merges_.erase(end, merges_.end());
-    }
+    const auto end = merges_.begin() + static_cast<std::ptrdiff_t>(some);
+    std::nth_element(merges_.begin(), end, merges_.end());
+    merges_.erase(end, merges_.end());
     std::ranges::sort(merges_);
     ++pass_;
   }
@@ -200,9 +198,16 @@ class Coarsening {
         return;
       }
       const MergeShape after = shape_after_merge(r_, star_, v, to);
-      std::optional<Refusal> refusal = test_shape(after, v, to);
-      if (!refusal && raises_cost(p, after)) continue;
-      if (!refusal) refusal = merge(v, to);
+      std::optional<Refusal> refusal;
+      if (orientation_.reverses(star_, v, to)) {
+        refusal = Refusal::turned;
+      } else if (ask_ == Ask::shape && !is_good(after.ratio2)) {
+        refusal = Refusal::no_gain;
+      } else if (raises_cost(p, after)) {
+        continue;
+      } else {
+        refusal = merge(v, to);
+      }
       if (!r_.done(Operation::collapse, refusal)) return;
       p.lacks_shape |= refusal == Refusal::no_gain;
       p.lacks_surface_point |= refusal == Refusal::no_surface_point;
@@ -217,13 +222,6 @@ class Coarsening {
              const Triangle& v = r_.mesh.faces[f].v;
              return ratio2 <= radius_ratio2(r_.point(v[0]), r_.point(v[1]), r_.point(v[2]));
            });
-  }
-
-  // Returns what refuses the merge before it is proposed. pre: star_.
-  std::optional<Refusal> test_shape(const MergeShape& after, VertexId from, VertexId to) {
-    if (orientation_.reverses(star_, from, to)) return Refusal::turned;
-    const bool is_refused = ask_ == Ask::shape && !is_good(after.ratio2);
-    return is_refused ? std::optional(Refusal::no_gain) : std::nullopt;
   }
 
   // Raises the cost by what is known of the distance now. True if it was less.

@@ -33,14 +33,19 @@ bool joins_on_box(const Refinement& r, VertexId v, VertexId w) {
   return on_one_face(r.point(v), r.point(w), r.surface.volume().box());
 }
 
-bool may_merge(const Refinement& r, VertexId from, VertexId to) {
-  return may_remove(r, from) && (!r.s.chain.is_boundary(from) || r.s.chain.is_edge(from, to));
-}
-
-bool joins_on_box(const Refinement& r, const Disk& star, VertexId from, VertexId to) {
-  return !r.s.chain.is_boundary(from) && std::ranges::any_of(star.vertices(), [&](VertexId q) {
-    return q != from && q != to && joins_on_box(r, to, q);
-  });
+std::optional<Refusal> merge_corner(Refinement& r, FaceId f, VertexId from, VertexId to,
+                                    const Gates& gates, const Refinement::Accept& accept) {
+  const bool on_boundary = r.s.chain.is_boundary(from);
+  if (!may_remove(r, from) || (on_boundary && !r.s.chain.is_edge(from, to))) {
+    return Refusal::boundary;
+  }
+  const Cavity* star = r.open(r.star(f, from));
+  if (!star) return Refusal::not_a_disk;
+  for (const VertexId q : star->disk.vertices()) {
+    if (!on_boundary && q != from && q != to && joins_on_box(r, to, q)) return Refusal::boundary;
+  }
+  Proposal merge = star->merge(from, to, gates);
+  return merge.facets.empty() ? Refusal::not_a_disk : r.make(std::move(merge), accept);
 }
 
 std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {

@@ -2,7 +2,6 @@
 // The tests G1 to G5 of refine/refinement.h.
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "base/check.h"
 #include "base/triangle.h"
@@ -59,7 +58,7 @@ bool Refinement::keeps_manifold(Replacement& c) {
     return false;
   }
   // A single facet may be in the mesh already, with the opposite orientation.
-  const std::vector<FaceId>& across = c.across_;
+  const std::vector<FaceId>& across = c.across();
   if (in.facets.size() == 1 && across[0] != kNoId && across[0] == across[1] &&
       across[0] == across[2]) {
     return false;

@@ -90,7 +90,10 @@ class LiftOff {
   // Returns points of Sigma off the box, the nearest one along each line within the limit. Sorted
   // by distance from `middle`.
   std::vector<Vec3> find_off_box(std::span<const Line> lines, const Vec3& middle, double limit);
-  Vec3 normal(FaceId f) { return replacer().normal(mesh_.faces[f].v); }
+  Vec3 normal(FaceId f) const {
+    const Triangle& v = mesh_.faces[f].v;
+    return area_normal(mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]]);
+  }
   Vec3 middle(FaceId f) const {
     const Triangle& v = mesh_.faces[f].v;
     return (mesh_.points[v[0]] + mesh_.points[v[1]] + mesh_.points[v[2]]) / 3;

@@ -38,17 +38,13 @@ constexpr std::uint8_t kMaxTries = 12;
 // Cost of a facet that is not Delaunay, added to the violation of a bad one.
 constexpr double kNotDelaunayCost = 0.3;
 
-double cost_of_ball(const Refinement& r, const Triangle& v, const Dual& dual) {
-  return r.is_delaunay(v, dual) ? 0 : kNotDelaunayCost;
-}
-
 double cost_of_shape(const Refinement& r, const FacetShape& shape) {
   const double violation = deliso::violation(shape, r.parameters.refinement);
   return violation > 1 ? violation : 0;
 }
 
 double cost(const Refinement& r, const Triangle& v, const Dual& dual) {
-  return cost_of_shape(r, r.shape(v, dual)) + cost_of_ball(r, v, dual);
+  return cost_of_shape(r, r.shape(v, dual)) + (r.is_delaunay(v, dual) ? 0 : kNotDelaunayCost);
 }
 
 // Returns the cost of a facet whose dual is not known yet, or less: as if Sigma passed through its
@@ -100,7 +96,7 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   SearchCounters& searches = r.report.searches_refine;
   double there = 0;
   // The costs become known facet by facet. False as soon as the cost does not fall far enough.
-  const auto lowers_cost = [&](const Replacement& c) {
+  const Refinement::Accept lowers_cost = [&](const Replacement& c) {
     const std::vector<Triangle>& facets = c.in().facets;
     if (c.duals.empty()) {
       there = cost_across();

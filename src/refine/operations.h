@@ -6,7 +6,6 @@
 
 #include <optional>
 #include <span>
-#include <utility>
 
 #include "refine/refinement.h"
 
@@ -58,23 +57,11 @@ bool may_remove(const Refinement& r, VertexId v);
 // True if the edge vw would lie in a face of the box and is not a chain edge.
 bool joins_on_box(const Refinement& r, VertexId v, VertexId w);
 
-// True if the chain allows a merge of `from` into its neighbor `to`.
-bool may_merge(const Refinement& r, VertexId from, VertexId to);
-// True if a merge of `from`, an inner vertex with this star, into `to` makes such an edge.
-bool joins_on_box(const Refinement& r, const Disk& star, VertexId from, VertexId to);
-
-// Merges `from`, a corner of f, into its neighbor `to`, and counts nothing.
-template <class Accept>
+// Merges `from`, a corner of f, into its neighbor `to`, and counts nothing. Refused if `from` may
+// not be removed or its chain needs it.
 std::optional<Refusal> merge_corner(Refinement& r, FaceId f, VertexId from, VertexId to,
-                                    const Gates& gates, Accept&& accept) {
-  if (!may_merge(r, from, to)) return Refusal::boundary;
-  const Cavity* star = r.open(r.star(f, from));
-  if (!star) return Refusal::not_a_disk;
-  if (joins_on_box(r, star->disk, from, to)) return Refusal::boundary;
-  Proposal merge = star->merge(from, to, gates);
-  if (merge.facets.empty()) return Refusal::not_a_disk;
-  return r.make(std::move(merge), accept);
-}
+                                    const Gates& gates,
+                                    const Refinement::Accept& accept = Refinement::always);
 
 // Moves a corner of f along Sigma to the first of some places where the facets around it, and those
 // across them, cost less. Where every insertion is refused and no flip helps, the places of

@@ -17,7 +17,7 @@ Proposal Cavity::cone(const Vec3& p, const Gates& gates, const BoundarySplit* sp
 }
 
 Proposal Cavity::move(VertexId v, const Vec3& p, const Gates& gates) const {
-  return {number_, gates, Proposal::Vertex::moves, v, p};
+  return Proposal(number_, gates, Proposal::Vertex::moves, v, p);
 }
 
 Proposal Cavity::merge(VertexId from, VertexId to, const Gates& gates) const {

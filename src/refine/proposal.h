@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// From a cavity to a proposal. A cavity is a disk of facets that an operation wants to replace. Its
-// functions return a proposal each: what comes in its place, and what the gates ask of it. A
-// proposal is a value that is complete when it is made. Several places may be tried in turn, each
-// by a proposal of the same cavity.
+// From a cavity to a proposal. A cavity is a disk of facets that an operation wants to replace.
+// Each of its functions returns a proposal: what comes in its place, and what the gates ask of it.
+// A proposal is a value, complete from the beginning: Refinement::make() takes it. Several places
+// may be tried in turn, each by a proposal of the same cavity.
 #pragma once
 
 #include <cstdint>
@@ -39,11 +39,12 @@ inline constexpr double kAnyFold = -1;
 // By default all.
 struct Gates {
   double least_cosine = kSharpestFold;  // G2: between the normals at an edge
-  // G2: a small component without volume, in a face of the box, gets no volume that is negative.
+  // G2: of a small component in a face of the box, which bounds no volume yet. False: it may get
+  // either orientation.
   bool orients_flat = true;
   bool surface_points = true;  // G3
   bool coverage = true;        // G4: a removed vertex is near the new facets
-  bool areas = true;           // G5: no new facet is a needle without an area
+  bool areas = true;           // G5: no new facet is a needle, unless one was
 };
 inline constexpr Gates kInsertionGates{.least_cosine = kAnyFold};
 // Where a mesh touches itself, or the box: topology and crossings count, not the distance from
@@ -70,12 +71,11 @@ class Proposal {
   friend class Cavity;
   friend class Refinement;
   friend struct Replacement;
-  Proposal() = default;
-  Proposal(std::uint32_t cavity, const Gates& asked, Vertex change = Vertex::none,
-           VertexId v = kNoId, const Vec3& p = {})
+  explicit Proposal(std::uint32_t cavity = 0, const Gates& asked = {}, Vertex change = Vertex::none,
+                    VertexId v = kNoId, const Vec3& p = {})
       : gates(asked), what(change), vertex(v), place(p), cavity_(cavity) {}
 
-  std::uint32_t cavity_ = 0;  // its number
+  std::uint32_t cavity_;  // its number
 };
 
 // Facets of the mesh that are a disk.
@@ -123,8 +123,5 @@ struct Replacement {
   // Per boundary edge of the new disk, the facet across it.
   const std::vector<FaceId>& across() const { return moves() ? cavity.across : across_; }
 };
-
-// For operations with no quantity to lower.
-inline constexpr auto kAlways = [](const Replacement&) { return true; };
 
 }  // namespace deliso

@@ -37,10 +37,6 @@ Box3 box_of(const TriMesh& mesh, const Isosurface& surface) {
   return box;
 }
 
-bool has(std::span<const VertexId> list, VertexId v) {
-  return std::find(list.begin(), list.end(), v) != list.end();
-}
-
 }  // namespace
 
 Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
@@ -94,7 +90,7 @@ std::span<const FaceId> Refinement::encroached(FaceId start, const Vec3& p) {
 const Cavity* Refinement::open(std::span<const FaceId> facets) {
   Cavity& cavity = tried_.cavity;
   is_counted_ = false;
-  tried_.proposal = {};
+  tried_.proposal = Proposal();
   tried_.in_.facets.clear();
   tried_.duals.clear();
   cavity.facets.assign(facets.begin(), facets.end());
@@ -114,11 +110,25 @@ const Cavity* Refinement::open(std::span<const FaceId> facets) {
   return &cavity;
 }
 
-void Refinement::begin(Proposal&& proposal) {
+std::optional<Refusal> Refinement::make(Proposal proposal, const Accept& accept) {
   DELISO_CHECK(proposal.cavity_ == tried_.cavity.number_);
-  tried_.proposal = std::move(proposal);
-  tried_.in_.facets = tried_.proposal.facets;
-  tried_.duals = tried_.proposal.duals;
+  Replacement& c = tried_;
+  c.proposal = std::move(proposal);
+  c.in_.facets = c.proposal.facets;
+  c.duals = c.proposal.duals;
+  if (leaves_free_box(c)) return Refusal::frozen;
+  put_in_place(c);
+  std::optional<Refusal> refusal = test_shape(c);
+  if (!refusal && !accept(c)) refusal = Refusal::no_gain;
+  for (std::ptrdiff_t allowed = facets_without_point(c); !refusal && !c.has_duals();) {
+    refusal = !find_dual(c, allowed) ? std::optional(Refusal::no_surface_point)
+              : !accept(c)           ? std::optional(Refusal::no_gain)
+                                     : std::nullopt;
+  }
+  if (!refusal && uncovers(c)) refusal = Refusal::uncovers;
+  if (!refusal && crosses(c)) refusal = Refusal::crossing;
+  refusal ? undo(c) : commit(c);
+  return refusal;
 }
 
 bool Refinement::leaves_free_box(const Replacement& c) const {
@@ -147,11 +157,9 @@ void Refinement::commit(Replacement& c) {
     vertices_.add(vertex, vertices_.box_of(point(vertex)));
   }
   for (const VertexId v : was.vertices()) {
-    if (!has(in.vertices(), v)) vertices_.remove(v);
     if (v < moves.size()) moves[v].are_vain = false;
-  }
-  // A vertex inside the new disk, or gone, is no longer on the mesh's boundary.
-  for (const VertexId v : was.vertices()) {
+    if (std::ranges::find(in.vertices(), v) == in.vertices().end()) vertices_.remove(v);
+    // A vertex inside the new disk, or gone, is no longer on the mesh's boundary.
     if (s.chain.is_boundary(v) &&
         std::ranges::find(in.boundary, v, &Disk::BoundaryEdge::from) == in.boundary.end()) {
       s.chain.remove(v);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The state of Stage 2 and its one change: another disk over the same boundary replaces a disk of
 // facets, the cavity. Insertion, flip, collapse and move (refine/operations.h) and removal
-// (refine/thin.h) propose such changes. On the mesh's boundary the boundary of the cavity may
-// change too, between two boundary vertices.
+// (refine/thin.h) propose such changes (refine/proposal.h), each with what the gates below ask. On
+// the mesh's boundary the boundary of the cavity may change too, between two boundary vertices.
 //
 // The mesh of Stage 1 is a manifold, homeomorphic to Sigma, embedded, with its vertices on Sigma.
 // Every replacement keeps that, because it passes these tests, from cheap to expensive. Only moves
@@ -26,10 +26,10 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "embedding/box_grid.h"
@@ -78,30 +78,13 @@ class Refinement {
   // Returns the cavity of these facets, or null if they are not a disk. It is the only one until
   // the next call, and ends when a proposal for it is made.
   const Cavity* open(std::span<const FaceId> facets);
+  // True while the operation can still lower its quantity. Always, if it has none.
+  using Accept = std::function<bool(const Replacement&)>;
+  static bool always(const Replacement&) { return true; }
   // Makes the proposal and returns nullopt, or returns the test that refuses it and changes
-  // nothing. accept(replacement) is true while the operation can still lower its quantity. It is
-  // called when the vertex is in its place: first with the duals that the proposal has, then after
-  // each new dual. pre: the proposal is one of the open cavity.
-  template <class Accept>
-  std::optional<Refusal> make(Proposal proposal, Accept&& accept) {
-    Replacement& c = tried_;
-    begin(std::move(proposal));
-    if (leaves_free_box(c)) return Refusal::frozen;
-    put_in_place(c);
-    std::optional<Refusal> refusal = test_shape(c);
-    if (!refusal && !accept(std::as_const(c))) refusal = Refusal::no_gain;
-    for (std::ptrdiff_t allowed = facets_without_point(c); !refusal && !c.has_duals();) {
-      refusal = !find_dual(c, allowed)      ? std::optional(Refusal::no_surface_point)
-                : !accept(std::as_const(c)) ? std::optional(Refusal::no_gain)
-                                            : std::nullopt;
-    }
-    if (!refusal && uncovers(c)) refusal = Refusal::uncovers;
-    if (!refusal && crosses(c)) refusal = Refusal::crossing;
-    refusal ? undo(c) : commit(c);
-    return refusal;
-  }
-  // The same for operations with no quantity to lower.
-  std::optional<Refusal> make(Proposal proposal) { return make(std::move(proposal), kAlways); }
+  // nothing. accept() is called when the vertex is in its place: first with the duals that the
+  // proposal has, then after each new dual. pre: the proposal is one of the open cavity.
+  std::optional<Refusal> make(Proposal proposal, const Accept& accept = always);
 
   // Counts the outcome of an operation, reports it to the observer with what was tried since the
   // last outcome, and returns it. pre: a Question, if there is an observer.
@@ -142,7 +125,6 @@ class Refinement {
   }
 
  private:
-  void begin(Proposal&& proposal);
   bool leaves_free_box(const Replacement& c) const;
   void put_in_place(const Replacement& c);
   void undo(const Replacement& c);

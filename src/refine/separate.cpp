@@ -209,7 +209,7 @@ bool Separation::collapse(FaceId f, int i, const Gates& gates) {
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
     if (accept(Operation::collapse, joins_star_on_box(f, from, to)
                                         ? Refusal::boundary
-                                        : merge_corner(r_, f, from, to, gates, kAlways))) {
+                                        : merge_corner(r_, f, from, to, gates))) {
       return true;
     }
   }

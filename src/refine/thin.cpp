@@ -61,8 +61,8 @@ std::optional<Refusal> Thinning::remove(VertexId v) {
   if (!hole_.fill(ring_, test_)) return Refusal::no_gain;
   const Cavity* cavity = r_.open(star);
   if (!cavity) return Refusal::not_a_disk;
-  facets_.clear();
-  duals_.clear();
+  std::vector<Triangle> facets;
+  std::vector<Dual> duals;
   for (int n = 0; n < hole_.size(); ++n) {
     const auto& [corner, across] = hole_.facet(n);
     const Triangle facet{ring_.vertex[corner[0]], ring_.vertex[corner[1]], ring_.vertex[corner[2]]};
@@ -74,10 +74,10 @@ std::optional<Refusal> Thinning::remove(VertexId v) {
     const Dual dual = r_.finder.dual(r_.point(facet[0]), r_.point(facet[1]), r_.point(facet[2]),
                                      r_.report.searches_refine);
     if (r_.violation(facet, dual) > 1 || !r_.is_delaunay(facet, dual, v)) return Refusal::no_gain;
-    facets_.push_back(facet);
-    duals_.push_back(dual);
+    facets.push_back(facet);
+    duals.push_back(dual);
   }
-  return r_.make(cavity->fill(facets_, Gates{}, duals_));
+  return r_.make(cavity->fill(facets, Gates{}, duals));
 }
 
 }  // namespace deliso

@@ -41,8 +41,6 @@ class Thinning {
   IdArray<VertexId, FaceId> facet_;  // one at the vertex, or kNoId
   Ring ring_;                        // of the vertex that is tried
   Hole hole_;
-  std::vector<Triangle> facets_;  // that fill it
-  std::vector<Dual> duals_;       // of them
 };
 
 }  // namespace deliso

@@ -145,8 +145,8 @@ struct Change {
 };
 
 // Makes it if every gate lets it pass, wanted or not.
-template <class Accept>
-std::optional<Refusal> make(Refinement& r, const Change& change, Accept&& accept) {
+inline std::optional<Refusal> make(Refinement& r, const Change& change,
+                                   const Refinement::Accept& accept = Refinement::always) {
   const Cavity* cavity = r.open(change.cavity);
   if (!cavity) return Refusal::not_a_disk;
   return r.make(!change.apex            ? cavity->fill(change.facets, change.gates)

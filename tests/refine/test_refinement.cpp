@@ -242,11 +242,11 @@ TEST_CASE(
     for (const VertexId v : s) d = has_corner(t, v) ? d : v;
     const int i = corner_index(stage.mesh.faces[g], a);
     const Change flip{.cavity = {g, h}, .facets = {{a, t[(i + 1) % 3], d}, {d, t[(i + 2) % 3], a}}};
-    CHECK(make(stage.r, flip, kAlways) == Refusal::not_a_disk);
+    CHECK(make(stage.r, flip) == Refusal::not_a_disk);
     CHECK(stage.snapshot() == with);
     // And back to the one facet that was there: a change of three for one.
     stage.r.parameters.refinement[Criterion::distance] = kNotAsked;  // the point may go
-    CHECK_FALSE(make(stage.r, {.cavity = created, .facets = {before.faces[f].v}}, kAlways));
+    CHECK_FALSE(make(stage.r, {.cavity = created, .facets = {before.faces[f].v}}));
     CHECK(stage.fault() == "");
     return;
   }
@@ -325,7 +325,7 @@ TEST_CASE(
     const bool crosses = !crossing_in(moved).empty();
     const Stage::Snapshot before = stage.snapshot();
     Change change{.cavity{star.begin(), star.end()}, .apex = to, .moved = v};
-    const auto refusal = make(stage.r, change, kAlways);
+    const auto refusal = make(stage.r, change);
     REQUIRE((refusal == Refusal::crossing) == crosses);
     ++(crosses ? crossing : done);
     if (refusal) {
@@ -336,7 +336,7 @@ TEST_CASE(
     REQUIRE(crossing_in(moved).empty());
     for (const FaceId g : change.cavity) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
     change.apex = from;
-    REQUIRE_FALSE(make(stage.r, change, kAlways));
+    REQUIRE_FALSE(make(stage.r, change));
   }
   MESSAGE(crossing << " would have crossed, " << done << " did not");
   CHECK(crossing > 300);
