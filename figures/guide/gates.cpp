@@ -79,7 +79,7 @@ class Search : public Observer {
   explicit Search(const Handed& handed) : h_(handed), mesh_(handed.coarsened.mesh.mesh) {}
 
   bool follows_insertions() const override { return true; }
-  void operation_tried(const Question& question, Operation operation, const Proposal& change,
+  void operation_tried(const Question& question, Operation operation, const Replacement& change,
                        std::optional<Refusal> refusal) override {
     const bool is_insertion = operation == Operation::surface_point ||
                               operation == Operation::foot || operation == Operation::far_point;
@@ -107,9 +107,9 @@ class Search : public Observer {
   Best swallows, misses, crosses;
 
  private:
-  bool is_apart(const Proposal& change) const {
-    return std::ranges::none_of(change.was.boundary, [&](const Disk::BoundaryEdge& edge) {
-      return distance(mesh_.points[edge.from], change.place) < kMinApart;
+  bool is_apart(const Replacement& change) const {
+    return std::ranges::none_of(change.cavity.disk.boundary, [&](const Disk::BoundaryEdge& edge) {
+      return distance(mesh_.points[edge.from], change.proposal.place) < kMinApart;
     });
   }
 
@@ -120,8 +120,8 @@ class Search : public Observer {
   }
 
   // In the plane of p and the vertex inside the cavity.
-  Seen look_at_swallowed(const Proposal& change, const Vec3& p) const {
-    const Disk& was = change.was;
+  Seen look_at_swallowed(const Replacement& change, const Vec3& p) const {
+    const Disk& was = change.cavity.disk;
     const std::span<const VertexId> all = was.vertices();
     const auto inner = std::ranges::find_if(all, [&](VertexId v) {
       return std::ranges::none_of(was.boundary, [&](const auto& edge) { return edge.from == v; });
@@ -143,10 +143,10 @@ class Search : public Observer {
 
   // In the plane of p and the dual line of the facet that was refused, if the line misses Sigma as
   // far as a surface point may lie.
-  Seen look_at_dual(const Proposal& change) const {
-    const Vec3& p = change.place;
-    const Triangle& t = change.in.facets[change.duals.size() - 1];
-    const auto at = [&](VertexId v) { return v == change.vertex ? p : mesh_.points[v]; };
+  Seen look_at_dual(const Replacement& change) const {
+    const Vec3& p = change.proposal.place;
+    const Triangle& t = change.in().facets[change.duals.size() - 1];
+    const auto at = [&](VertexId v) { return v == change.proposal.vertex ? p : mesh_.points[v]; };
     const Vec3 area = area_normal(at(t[0]), at(t[1]), at(t[2])), up = area / length(area);
     const Vec3 center = circumcenter(at(t[0]), at(t[1]), at(t[2]));
     const double radius = distance(center, p);
@@ -166,8 +166,8 @@ class Search : public Observer {
     return seen;
   }
 
-  Seen look_at_crossing(const Proposal& change, double angle) const {
-    const Vec3& p = change.place;
+  Seen look_at_crossing(const Replacement& change, double angle) const {
+    const Vec3& p = change.proposal.place;
     const Vec3 up = up_at(p), helper = std::fabs(up.x) < 0.8 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
     const Vec3 across = cross(up, helper), u = across / length(across), w = cross(up, u);
     Seen seen{0, look(change, {p, std::cos(angle) * u + std::sin(angle) * w, up})};
@@ -180,7 +180,7 @@ class Search : public Observer {
     return seen;
   }
 
-  Found look(const Proposal& change, const Cut& cut) const {
+  Found look(const Replacement& change, const Cut& cut) const {
     Found found;
     found.cut = cut;
     const Vec3& p = cut.origin;
@@ -195,13 +195,15 @@ class Search : public Observer {
       if (is_dead(mesh_.faces[f]) || distance(mesh_.points[t[0]], p) > 4 * kReach) continue;
       const auto piece = found.cut.of(mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]);
       if (!piece) continue;
-      const bool goes = std::ranges::find(change.cavity, f) != change.cavity.end();
+      const bool goes = std::ranges::find(change.cavity.facets, f) != change.cavity.facets.end();
       (goes ? found.old : found.kept).push_back(*piece);
     }
     // p lies in the plane: a hair above it is as good.
     const Vec3 lifted = p + 1e-9 * found.cut.normal();
-    const auto at = [&](VertexId v) { return v == change.vertex ? lifted : mesh_.points[v]; };
-    for (const Triangle& t : change.in.facets) {
+    const auto at = [&](VertexId v) {
+      return v == change.proposal.vertex ? lifted : mesh_.points[v];
+    };
+    for (const Triangle& t : change.in().facets) {
       const auto piece = found.cut.of(at(t[0]), at(t[1]), at(t[2]));
       if (piece) found.fresh.push_back(*piece);
     }

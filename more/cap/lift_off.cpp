@@ -64,8 +64,7 @@ class LiftOff {
         surface_(surface),
         curves_(curves),
         parameters_(parameters),
-        report_(report),
-        finder_(surface) {}
+        report_(report) {}
 
   std::size_t run();
 
@@ -99,13 +98,6 @@ class LiftOff {
     const Triangle& v = mesh_.faces[f].v;
     return (mesh_.points[v[0]] + mesh_.points[v[1]] + mesh_.points[v[2]]) / 3;
   }
-  // Replaces the cavity by the cone from p over its boundary.
-  bool replace_by_cone(Proposal& c, const Vec3& p, bool near_surface) {
-    c.cone(p);
-    return replace(c, near_surface);
-  }
-  bool flip(Proposal& c, FaceId f, int i, bool near_surface);
-  bool replace(Proposal& c, bool near_surface);
 
   // Made at first use: most meshes have nothing to mend.
   Refinement& replacer() {
@@ -119,14 +111,12 @@ class LiftOff {
   const std::vector<double> off_;  // descending
   const Isosurface& surface_;
   const BoundaryCurves& curves_;
-  Parameters parameters_;
+  const Parameters& parameters_;
   Report& report_;
-  SurfacePointFinder finder_;
   std::optional<Refinement> replacer_;
 };
 
 std::size_t LiftOff::run() {
-  parameters_.observer = nullptr;  // caps are not followed
   std::size_t left = 0;
   std::vector<std::uint8_t> on_boundary(mesh_.points.size(), 0);
   for (const Face& face : mesh_.faces) {
@@ -174,19 +164,12 @@ std::size_t LiftOff::lift_all(Effort effort) {
   return left;
 }
 
-bool LiftOff::replace(Proposal& c, bool near_surface) {
-  c.least_cosine = near_surface ? kSharpestFold : kAnyFold;
-  c.asks_surface = near_surface;
-  return !replacer().replace();
-}
-
 bool LiftOff::move_off(FaceId f, VertexId v) {
-  Proposal* c = replacer().propose(replacer().star(f, v));
-  if (!c) return false;
+  const Cavity* cavity = replacer().open(replacer().star(f, v));
+  if (!cavity) return false;
   const Vec3 from = mesh_.points[v], inward = inwards(faces_near(from));
   return std::any_of(off_.begin(), off_.end(), [&](double off) {
-    c->move(v, from + off * inward);
-    return replace(*c, false);
+    return !replacer().make(cavity->move(v, from + off * inward, kTopologyGates));
   });
 }
 
@@ -196,7 +179,8 @@ std::vector<Vec3> LiftOff::find_off_box(std::span<const Line> lines, const Vec3&
   for (const Line& line : lines) {
     const double size = length(line.direction);
     if (!(size > 0)) continue;
-    const auto x = finder_.nearest(line.at, line.direction / size, limit, report_.searches_refine);
+    const auto x =
+        replacer().finder.nearest(line.at, line.direction / size, limit, report_.searches_refine);
     if (x && faces_near(*x) == 0) found.push_back(*x);
   }
   // Stable: points at one distance are common in symmetric fields.
@@ -204,13 +188,6 @@ std::vector<Vec3> LiftOff::find_off_box(std::span<const Line> lines, const Vec3&
     return distance2(p, middle) < distance2(q, middle);
   });
   return found;
-}
-
-bool LiftOff::flip(Proposal& c, FaceId f, int i, bool near_surface) {
-  const Quad q = quad_at(mesh_, f, i);
-  if ((faces_at(q.a) & faces_at(q.d)) != 0) return false;
-  c.facets(q.flipped());
-  return replace(c, near_surface);
 }
 
 bool LiftOff::lift(FaceId f, int i, Effort effort) {
@@ -231,13 +208,13 @@ bool LiftOff::lift(FaceId f, int i, Effort effort) {
   }
   const Vec3 inward = inwards(faces), out = normal(f) + normal(g);
 
-  const std::array cavity{f, g};
-  Proposal* proposal = replacer().propose(std::span(cavity).first(is_edge ? 2 : 1));
-  if (!proposal) return false;
+  const std::array removed{f, g};
+  const Cavity* cavity = replacer().open(std::span(removed).first(is_edge ? 2 : 1));
+  if (!cavity) return false;
   if (effort == Effort::next_to_it) {
     for (const double off : off_) {
       for (const Vec3& base : bases) {
-        if (!replace_by_cone(*proposal, base + off * inward, false)) continue;
+        if (replacer().make(cavity->cone(base + off * inward, kFlatConeGates))) continue;
         ++report_[Counter::cap_lifts_off_surface];
         return true;
       }
@@ -252,11 +229,14 @@ bool LiftOff::lift(FaceId f, int i, Effort effort) {
       lines.push_back({from, -surface_.gradient(from)});
     }
   }
-  const bool near_surface = effort == Effort::as_stage2;
-  const std::vector<Vec3> on_surface = find_off_box(lines, bases[0], limit);
-  return std::any_of(on_surface.begin(), on_surface.end(),
-                     [&](const Vec3& p) { return replace_by_cone(*proposal, p, near_surface); }) ||
-         (is_edge && flip(*proposal, f, i, near_surface));
+  const bool as_stage2 = effort == Effort::as_stage2;
+  for (const Vec3& p : find_off_box(lines, bases[0], limit)) {
+    if (!replacer().make(cavity->cone(p, as_stage2 ? Gates{} : kFlatConeGates))) return true;
+  }
+  if (!is_edge) return false;
+  const Quad q = quad_at(mesh_, f, i);
+  return (faces_at(q.a) & faces_at(q.d)) == 0 &&
+         !replacer().make(cavity->fill(q.flipped(), as_stage2 ? Gates{} : kTopologyGates));
 }
 
 }  // namespace

@@ -175,14 +175,12 @@ class Coarsening {
     picks_[v].cost = best.first;
   }
 
-  // Leaves the cheapest merges, in order.
+  // Leaves the cheapest merges, in order. pre: there are some.
   void sort(std::size_t beyond) {
     const std::size_t some = std::min(beyond, 1 + merges_.size() / kShare);
-    if (some < merges_.size()) {
-      const auto end = merges_.begin() + static_cast<std::ptrdiff_t>(some);
-      std::nth_element(merges_.begin(), end, merges_.end());
-      merges_.erase(end, merges_.end());
-    }
+    const auto end = merges_.begin() + static_cast<std::ptrdiff_t>(some);
+    std::nth_element(merges_.begin(), end, merges_.end());
+    merges_.erase(end, merges_.end());
     std::ranges::sort(merges_);
     ++pass_;
   }
@@ -199,8 +197,17 @@ class Coarsening {
         p.is_due = true;
         return;
       }
-      const auto refusal = merge(v, to);
-      if (refusal == Refusal::uncovers) continue;
+      const MergeShape after = shape_after_merge(r_, star_, v, to);
+      std::optional<Refusal> refusal;
+      if (orientation_.reverses(star_, v, to)) {
+        refusal = Refusal::turned;
+      } else if (ask_ == Ask::shape && !is_good(after.ratio2)) {
+        refusal = Refusal::no_gain;
+      } else if (raises_cost(p, after)) {
+        continue;
+      } else {
+        refusal = merge(v, to);
+      }
       if (!r_.done(Operation::collapse, refusal)) return;
       p.lacks_shape |= refusal == Refusal::no_gain;
       p.lacks_surface_point |= refusal == Refusal::no_surface_point;
@@ -217,21 +224,19 @@ class Coarsening {
            });
   }
 
-  // Returns the test that refused it; `uncovers` if it costs more than was known. pre: star_.
-  std::optional<Refusal> merge(VertexId from, VertexId to) {
-    if (orientation_.reverses(star_, from, to)) return Refusal::turned;
-    const MergeShape after = shape_after_merge(r_, star_, from, to);
-    if (ask_ == Ask::shape && !is_good(after.ratio2)) return Refusal::no_gain;
+  // Raises the cost by what is known of the distance now. True if it was less.
+  bool raises_cost(Pick& p, const MergeShape& after) const {
     const double cost = after.distance2 * area_ / static_cast<double>(triangles_);
-    if (cost > picks_[from].cost) {
-      picks_[from].cost = cost;
-      return Refusal::uncovers;
-    }
-    if (const auto refusal = propose_merge(r_, facet_[from], from, to)) return refusal;
-    r_.proposal.asks_surface = ask_ != Ask::topology;
-    const auto refusal = r_.replace([&] {
-      return !r_.proposal.duals.empty() ||  // tested before
-             !orientation_.passes_component(from, to);
+    return cost > std::exchange(p.cost, std::max(p.cost, cost));
+  }
+
+  // pre: star_.
+  std::optional<Refusal> merge(VertexId from, VertexId to) {
+    Gates gates;
+    gates.surface_points = gates.orients_flat = ask_ != Ask::topology;
+    const auto refusal = merge_corner(r_, facet_[from], from, to, gates, [&](const Replacement& c) {
+      return !c.duals.empty() ||  // tested before
+             !orientation_.passes_component(c.cavity.disk, from, to);
     });
     if (refusal) return refusal == Refusal::no_gain ? Refusal::crossing : refusal;
     orientation_.merged(from, to);
@@ -239,7 +244,7 @@ class Coarsening {
     error_[to] = quadrics_[to].at(r_.point(to));
     facet_[from] = kNoId;
     --vertices_;
-    triangles_ -= r_.proposal.was.facets.size() - r_.proposal.in.facets.size();
+    triangles_ -= star_.size() - r_.created().size();
     for (const FaceId f : r_.created()) {
       for (const VertexId v : r_.mesh.faces[f].v) {
         facet_[v] = f;

@@ -23,7 +23,8 @@
 namespace deliso {
 
 // Removes vertices until no more than `vertices` and `triangles` are left, or until no removal
-// passes the tests. Returns how many vertices are left. A removal takes away two triangles, or one
+// passes the tests. A finite bound on the distance is kept, by G4: it may leave many more vertices.
+// Returns how many vertices are left. A removal takes away two triangles, or one
 // on the boundary, so one triangle less than asked for may be left. pre: every vertex has a facet.
 std::size_t coarsen(Refinement& r, std::size_t vertices,
                     std::size_t triangles = std::numeric_limits<std::size_t>::max());

@@ -85,14 +85,14 @@ void Orientation::add_loop(VertexId start) {
 
 // The facets at `from` that do not have `to`, each with `to`, are tetrahedra that cover what is
 // swept.
-bool Orientation::passes_component(VertexId from, VertexId to) const {
+bool Orientation::passes_component(const Disk& star, VertexId from, VertexId to) const {
   if (components_.size() < 2) return false;
-  std::vector<Vec3> star;
-  for (const VertexId v : r_.proposal.was.vertices()) star.push_back(r_.point(v));
+  std::vector<Vec3> points;
+  for (const VertexId v : star.vertices()) points.push_back(r_.point(v));
   return vertices_.any<std::uint32_t>(
-      vertices_.box_of(star), [&](std::uint32_t n, const BoxGrid::Box&) {
+      vertices_.box_of(points), [&](std::uint32_t n, const BoxGrid::Box&) {
         if (component_[from] == n) return false;
-        return std::ranges::any_of(r_.proposal.was.facets, [&](const Triangle& v) {
+        return std::ranges::any_of(star.facets, [&](const Triangle& v) {
           return !has_corner(v, to) &&
                  is_in_tetrahedron({r_.point(v[0]), r_.point(v[1]), r_.point(v[2]), r_.point(to)},
                                    r_.point(components_[n].vertex));

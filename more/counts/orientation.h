@@ -27,8 +27,8 @@ class Orientation {
 
   // True if a merge of `from`, with this star, into `to` changes a sign.
   bool reverses(std::span<const FaceId> star, VertexId from, VertexId to);
-  // True if the merge of `from` into `to` that r.proposal is sweeps over another component.
-  bool passes_component(VertexId from, VertexId to) const;
+  // True if a merge of `from`, with this star, into `to` sweeps over another component.
+  bool passes_component(const Disk& star, VertexId from, VertexId to) const;
   // pre: this merge was the last one asked, and was done.
   void merged(VertexId from, VertexId to);
 

@@ -33,19 +33,19 @@ bool joins_on_box(const Refinement& r, VertexId v, VertexId w) {
   return on_one_face(r.point(v), r.point(w), r.surface.volume().box());
 }
 
-std::optional<Refusal> propose_merge(Refinement& r, FaceId f, VertexId from, VertexId to,
-                                     double least_cosine) {
+std::optional<Refusal> merge_corner(Refinement& r, FaceId f, VertexId from, VertexId to,
+                                    const Gates& gates, const Refinement::Accept& accept) {
   const bool on_boundary = r.s.chain.is_boundary(from);
   if (!may_remove(r, from) || (on_boundary && !r.s.chain.is_edge(from, to))) {
     return Refusal::boundary;
   }
-  Proposal* c = r.propose(r.star(f, from), least_cosine);
-  if (!c) return Refusal::not_a_disk;
-  for (const VertexId q : c->was.vertices()) {
+  const Cavity* star = r.open(r.star(f, from));
+  if (!star) return Refusal::not_a_disk;
+  for (const VertexId q : star->disk.vertices()) {
     if (!on_boundary && q != from && q != to && joins_on_box(r, to, q)) return Refusal::boundary;
   }
-  c->merge(from, to);
-  return c->in.facets.empty() ? std::optional(Refusal::not_a_disk) : std::nullopt;
+  Proposal merge = star->merge(from, to, gates);
+  return merge.facets.empty() ? Refusal::not_a_disk : r.make(std::move(merge), accept);
 }
 
 std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
@@ -59,17 +59,17 @@ std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
       std::min({0u, 1u, 2u}, [&](unsigned a, unsigned b) { return length2(a) < length2(b); });
   if (!(length2(shortest) < r.parameters.r_min * r.parameters.r_min)) return Refusal::no_gain;
   VertexId a = v[shortest], b = v[(shortest + 1) % 3];
-  const auto is_better = [&] {
-    if (!r.proposal.duals.empty()) return true;  // tested before
-    const double before = worst_ratio2(r, r.proposal.was.facets);
-    return before > limit2 && worst_ratio2(r, r.proposal.in.facets) <= before;
+  const auto is_better = [&](const Replacement& c) {
+    if (!c.duals.empty()) return true;  // tested before
+    const double before = worst_ratio2(r, c.cavity.disk.facets);
+    return before > limit2 && worst_ratio2(r, c.in().facets) <= before;
   };
   // If only one end is on the boundary, the inner end is tried first.
   if (r.s.chain.is_boundary(a)) std::swap(a, b);
   std::optional<Refusal> refusal;
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
-    refusal = from >= r.inserted ? std::optional(Refusal::boundary) : propose_merge(r, f, from, to);
-    if (!refusal) refusal = r.replace(is_better);
+    refusal =
+        from >= r.inserted ? Refusal::boundary : merge_corner(r, f, from, to, Gates{}, is_better);
     if (!r.done(Operation::collapse, refusal)) break;
   }
   return refusal;

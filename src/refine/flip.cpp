@@ -27,16 +27,15 @@ std::optional<Refusal> flip_if_not_delaunay(Refinement& r, FaceId f, int i) {
   if (is_edge_delaunay(r, f, i)) return Refusal::no_gain;
   const Quad q = quad_at(r.mesh, f, i);
   const double radii = std::sqrt(r.s.duals[q.f].radius2) + std::sqrt(r.s.duals[q.g].radius2);
-  Proposal* c = r.propose(std::array{q.f, q.g});
-  if (!c) return r.done(Operation::flip, Refusal::not_a_disk);
-  c->facets(q.flipped());
-  const auto is_delaunay = [&] {
-    if (!c->has_duals()) return true;
-    const Dual &x = c->duals[0], &y = c->duals[1];
+  const Cavity* cavity = r.open(std::array{q.f, q.g});
+  if (!cavity) return r.done(Operation::flip, Refusal::not_a_disk);
+  const auto is_delaunay = [&](const Replacement& c) {
+    if (!c.has_duals()) return true;
+    const Dual &x = c.duals[0], &y = c.duals[1];
     return x.on_surface && y.on_surface && !x.holds(r.point(q.c)) && !y.holds(r.point(q.b)) &&
            std::sqrt(x.radius2) + std::sqrt(y.radius2) < (1 - kMinRadiusFall) * radii;
   };
-  return r.done(Operation::flip, r.replace(is_delaunay));
+  return r.done(Operation::flip, r.make(cavity->fill(q.flipped(), Gates{}), is_delaunay));
 }
 
 }  // namespace deliso

@@ -2,7 +2,6 @@
 // The tests G1 to G5 of refine/refinement.h.
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "base/check.h"
 #include "base/triangle.h"
@@ -21,11 +20,11 @@ constexpr double kMaxRemovedDistances = 2;
 
 }  // namespace
 
-std::optional<Refusal> Refinement::test_shape(Proposal& c) {
+std::optional<Refusal> Refinement::test_shape(Replacement& c) {
   if (!keeps_manifold(c)) return Refusal::not_a_disk;
   normals_.clear();
-  for (const Triangle& v : c.in.facets) normals_.push_back(normal(v));
-  if ((c.least_cosine > kAnyFold && folds(c)) || reverses(c)) return Refusal::turned;
+  for (const Triangle& v : c.in().facets) normals_.push_back(normal(v));
+  if ((c.proposal.gates.least_cosine > kAnyFold && folds(c)) || reverses(c)) return Refusal::turned;
   return std::nullopt;
 }
 
@@ -33,42 +32,35 @@ std::optional<Refusal> Refinement::test_shape(Proposal& c) {
 // boundary edges of either disk lie on the mesh's boundary. A new edge is inside the new disk or on
 // the mesh's boundary. It must not join two vertices that an edge joins elsewhere, or that edge
 // would have too many facets.
-bool Refinement::keeps_manifold(Proposal& c) {
-  Disk& in = c.in;
-  const auto facet_across = [&](const Disk::BoundaryEdge& e) {
-    return mesh.faces[c.cavity[e.facet]].n[e.side];
-  };
-  if (c.is_linked) return true;
-  if (in.facets == c.was.facets) {  // a vertex moves, and nothing else changes
-    in = c.was;
-    c.is_linked = true;
-    across_.clear();
-    std::ranges::transform(in.boundary, std::back_inserter(across_), facet_across);
-    return true;
-  }
-  if (c.what == Proposal::Vertex::comes && in.link_cone(c.was.boundary, c.vertex)) {
-    across_.clear();
-    std::ranges::transform(c.was.boundary, std::back_inserter(across_), facet_across);
+bool Refinement::keeps_manifold(Replacement& c) {
+  if (c.moves()) return true;  // nothing else changes
+  const Cavity& cavity = c.cavity;
+  Disk& in = c.in_;
+  if (c.has_new_vertex() && in.link_cone(cavity.disk.boundary, c.proposal.vertex)) {
+    c.across_ = cavity.across;
     return true;
   }
   if (!in.link()) return false;
-  const auto inner = [](FaceId f) { return f != kNoId; };
-  across_.clear();
+  c.across_.clear();
   for (const Disk::BoundaryEdge& e : in.boundary) {
-    const auto old = std::ranges::find_if(c.was.boundary, [&](const Disk::BoundaryEdge& o) {
-      return o.from == e.from && o.to == e.to;
-    });
-    const bool is_new = old == c.was.boundary.end();
+    std::size_t old = 0;
+    while (old < cavity.across.size() &&
+           (cavity.disk.boundary[old].from != e.from || cavity.disk.boundary[old].to != e.to)) {
+      ++old;
+    }
+    const bool is_new = old == cavity.across.size();
     if (is_new && is_joined_outside(e.from, e.to, c)) return false;
-    across_.push_back(is_new ? kNoId : facet_across(*old));
+    c.across_.push_back(is_new ? kNoId : cavity.across[old]);
   }
-  if (std::ranges::count_if(across_, inner) !=
-      std::ranges::count_if(c.was.boundary, inner, facet_across)) {
+  const auto has_facet = [](FaceId f) { return f != kNoId; };
+  if (std::ranges::count_if(c.across_, has_facet) !=
+      std::ranges::count_if(cavity.across, has_facet)) {
     return false;
   }
   // A single facet may be in the mesh already, with the opposite orientation.
-  if (in.facets.size() == 1 && across_[0] != kNoId && across_[0] == across_[1] &&
-      across_[0] == across_[2]) {
+  const std::vector<FaceId>& across = c.across();
+  if (in.facets.size() == 1 && across[0] != kNoId && across[0] == across[1] &&
+      across[0] == across[2]) {
     return false;
   }
   for (std::uint32_t f = 0; f < in.facets.size(); ++f) {
@@ -89,11 +81,12 @@ bool Refinement::joins_on_seam(VertexId a, VertexId b) const {
           block.inner_faces()) != 0;
 }
 
-bool Refinement::is_joined_outside(VertexId a, VertexId b, const Proposal& c) {
-  if (c.what == Proposal::Vertex::comes && (a == c.vertex || b == c.vertex)) return false;
+bool Refinement::is_joined_outside(VertexId a, VertexId b, const Replacement& c) {
+  if (c.has_new_vertex() && (a == c.proposal.vertex || b == c.proposal.vertex)) return false;
+  const std::vector<FaceId>& removed = c.cavity.facets;
   const auto start =
-      std::ranges::find_if(c.cavity, [&](FaceId f) { return has_corner(mesh.faces[f].v, a); });
-  DELISO_ASSERT(start != c.cavity.end());
+      std::ranges::find_if(removed, [&](FaceId f) { return has_corner(mesh.faces[f].v, a); });
+  DELISO_ASSERT(start != removed.end());
   facets_around(mesh, *start, a, star_);
   return std::ranges::any_of(
       star_, [&](FaceId f) { return !is_in_cavity(f) && has_corner(mesh.faces[f].v, b); });
@@ -120,24 +113,21 @@ double Refinement::sharpest_edge(const Disk& disk, std::span<const Vec3> normals
 }
 
 // G2.
-bool Refinement::folds(const Proposal& c) const {
-  const double after = sharpest_edge(c.in, normals_, across_);
-  if (after >= c.least_cosine) return false;
+bool Refinement::folds(const Replacement& c) const {
+  const double after = sharpest_edge(c.in(), normals_, c.across());
+  if (after >= c.proposal.gates.least_cosine) return false;
   std::vector<Vec3> normals;
-  for (const Triangle& v : c.was.facets) {
+  for (const Triangle& v : c.cavity.disk.facets) {
     normals.push_back(
         area_normal(point_before(c, v[0]), point_before(c, v[1]), point_before(c, v[2])));
   }
-  std::vector<FaceId> across;
-  for (const Disk::BoundaryEdge& e : c.was.boundary) {
-    across.push_back(mesh.faces[c.cavity[e.facet]].n[e.side]);
-  }
-  return !(after >= sharpest_edge(c.was, normals, across));
+  return !(after >= sharpest_edge(c.cavity.disk, normals, c.cavity.across));
 }
 
 // G2, for small components: true if the volume that the component bounds changes its sign.
-bool Refinement::reverses(Proposal& c) {
-  const std::size_t outside = component_size_[component_[c.cavity[0]]] - c.cavity.size();
+bool Refinement::reverses(Replacement& c) {
+  const std::size_t outside =
+      component_size_[component_[c.cavity.facets[0]]] - c.cavity.facets.size();
   if (outside > kMaxSmallComponent) return false;
   const Box3 box = surface.volume().box();
   unsigned met = 0;  // the faces of the box in which the component ends
@@ -149,8 +139,8 @@ bool Refinement::reverses(Proposal& c) {
       rest_.push_back(g);
     }
   };
-  for (std::size_t k = 0; k < across_.size(); ++k) {
-    visit(across_[k], c.in.boundary[k].from, c.in.boundary[k].to);
+  for (std::size_t k = 0; k < c.across().size(); ++k) {
+    visit(c.across()[k], c.in().boundary[k].from, c.in().boundary[k].to);
   }
   for (std::size_t n = 0; n < rest_.size();) {
     const FaceId f = rest_[n++];
@@ -161,7 +151,7 @@ bool Refinement::reverses(Proposal& c) {
   }
   // The origin is in all faces of the box that the component meets. From there its open sides have
   // no volume.
-  const std::optional<Vec3> origin = moved_into_faces(point(c.in.facets[0][0]), met, box);
+  const std::optional<Vec3> origin = moved_into_faces(point(c.in().facets[0][0]), met, box);
   if (!origin) return false;
   const auto volume = [&](const Triangle& v, auto&& at) {
     return dot(at(v[0]) - *origin, cross(at(v[1]) - *origin, at(v[2]) - *origin));
@@ -170,24 +160,24 @@ bool Refinement::reverses(Proposal& c) {
   const auto was = [&](VertexId v) { return point_before(c, v); };
   double rest = 0, before = 0, after = 0;
   for (const FaceId f : rest_) rest += volume(mesh.faces[f].v, now);
-  for (const Triangle& v : c.was.facets) before += volume(v, was);
-  for (const Triangle& v : c.in.facets) after += volume(v, now);
-  if (!c.asks_surface && rest + before == 0) return false;
+  for (const Triangle& v : c.cavity.disk.facets) before += volume(v, was);
+  for (const Triangle& v : c.in().facets) after += volume(v, now);
+  if (!c.proposal.gates.orients_flat && rest + before == 0) return false;
   return (rest + before > 0) != (rest + after > 0);
 }
 
 // G3.
-std::ptrdiff_t Refinement::facets_without_point(const Proposal& c) const {
+std::ptrdiff_t Refinement::facets_without_point(const Replacement& c) const {
   return std::ranges::count_if(
-      c.cavity, [&](FaceId f) { return !s.duals[f].on_surface && !is_small(s.duals[f]); });
+      c.cavity.facets, [&](FaceId f) { return !s.duals[f].on_surface && !is_small(s.duals[f]); });
 }
 
-bool Refinement::find_dual(Proposal& c, std::ptrdiff_t& allowed) {
+bool Refinement::find_dual(Replacement& c, std::ptrdiff_t& allowed) {
   const std::size_t f = c.duals.size();
-  const Triangle& v = c.in.facets[f];
+  const Triangle& v = c.in().facets[f];
   c.duals.push_back(finder.dual(point(v[0]), point(v[1]), point(v[2]), report.searches_refine));
   const Dual& dual = c.duals.back();
-  if (dual.on_surface || !c.asks_surface) return true;
+  if (dual.on_surface || !c.proposal.gates.surface_points) return true;
   return (is_small(dual) && faces_out(v, normals_[f])) || allowed-- > 0;
 }
 
@@ -202,12 +192,12 @@ bool Refinement::faces_out(const Triangle& v, const Vec3& normal) const {
 }
 
 // G4, for the removed vertices.
-bool Refinement::uncovers(const Proposal& c) const {
+bool Refinement::uncovers(const Replacement& c) const {
   const double limit = kMaxRemovedDistances * parameters.refinement[Criterion::distance];
-  if (!c.asks_surface || c.what == Proposal::Vertex::comes) return false;
-  return std::ranges::any_of(c.was.vertices(), [&](VertexId v) {
-    if (std::ranges::find(c.in.vertices(), v) != c.in.vertices().end()) return false;
-    return std::ranges::all_of(c.in.facets, [&](const Triangle& t) {
+  if (!c.proposal.gates.coverage || c.proposal.what != Proposal::Vertex::none) return false;
+  return std::ranges::any_of(c.cavity.disk.vertices(), [&](VertexId v) {
+    if (std::ranges::find(c.in().vertices(), v) != c.in().vertices().end()) return false;
+    return std::ranges::all_of(c.in().facets, [&](const Triangle& t) {
       return distance2_to_triangle(point(v), point(t[0]), point(t[1]), point(t[2])) > limit * limit;
     });
   });
@@ -215,15 +205,14 @@ bool Refinement::uncovers(const Proposal& c) const {
 
 // G5: true if a new facet is too thin, and none was as thin before. Where vertices near one point
 // are moved apart one by one, facets are needles in between.
-bool Refinement::is_needle(const Proposal& c) const {
-  if (c.what == Proposal::Vertex::moves && c.in.facets.size() == c.was.facets.size()) return false;
-  if (c.what == Proposal::Vertex::comes && !c.asks_surface) return false;
+bool Refinement::is_needle(const Replacement& c) const {
+  if (c.moves() || !c.proposal.gates.areas) return false;
   double after = 1, before = 1;
-  for (const auto& [a, b, d] : c.in.facets) {
+  for (const auto& [a, b, d] : c.in().facets) {
     after = std::min(after, height_ratio2(point(a), point(b), point(d)));
   }
   if (after >= kNeedleHeight * kNeedleHeight) return false;
-  for (const auto& [a, b, d] : c.was.facets) {
+  for (const auto& [a, b, d] : c.cavity.disk.facets) {
     before =
         std::min(before, height_ratio2(point_before(c, a), point_before(c, b), point_before(c, d)));
   }
@@ -231,10 +220,10 @@ bool Refinement::is_needle(const Proposal& c) const {
 }
 
 // G5.
-bool Refinement::crosses(const Proposal& c) {
-  if (is_needle(c) || !crossing_.begin(mesh.points, c.in, normals_, facets_)) return true;
-  const bool is_cone = c.what == Proposal::Vertex::comes && c.in.inner_vertices() == 1;
-  return crossing_.crosses_itself(is_cone ? c.vertex : kNoId) ||
+bool Refinement::crosses(const Replacement& c) {
+  if (is_needle(c) || !crossing_.begin(mesh.points, c.in(), normals_, facets_)) return true;
+  const bool is_cone = c.has_new_vertex() && c.in().inner_vertices() == 1;
+  return crossing_.crosses_itself(is_cone ? c.proposal.vertex : kNoId) ||
          facets_.any(crossing_.box(), [&](FaceId f, const BoxGrid::Box& box) {
            return !is_in_cavity(f) && crossing_.crosses(mesh.faces[f].v, box);
          });

@@ -20,17 +20,16 @@ std::optional<Refusal> insert_point(Refinement& r, Operation operation, FaceId s
   return r.done(operation, replace_by_cone(r, cavity, p));
 }
 
-std::optional<Refusal> replace_by_cone(Refinement& r, std::span<const FaceId> cavity, const Vec3& p,
+std::optional<Refusal> replace_by_cone(Refinement& r, std::span<const FaceId> facets, const Vec3& p,
                                        const BoundarySplit* split) {
-  Proposal* c = r.propose(cavity, kAnyFold);
-  if (!c) return Refusal::not_a_disk;
-  if (c->was.inner_vertices() > 0) return Refusal::swallows_vertex;
+  const Cavity* cavity = r.open(facets);
+  if (!cavity) return Refusal::not_a_disk;
+  if (cavity->disk.inner_vertices() > 0) return Refusal::swallows_vertex;
   const double too_close = kMinSpacingRMins * r.parameters.r_min;
-  for (const Disk::BoundaryEdge& edge : c->was.boundary) {
+  for (const Disk::BoundaryEdge& edge : cavity->disk.boundary) {
     if (distance2(p, r.point(edge.from)) < too_close * too_close) return Refusal::too_close;
   }
-  c->cone(p, split);
-  const auto refusal = r.replace();
+  const auto refusal = r.make(cavity->cone(p, kInsertionGates, split));
   r.report.insertions_refine += !refusal;
   return refusal;
 }

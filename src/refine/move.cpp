@@ -38,17 +38,13 @@ constexpr std::uint8_t kMaxTries = 12;
 // Cost of a facet that is not Delaunay, added to the violation of a bad one.
 constexpr double kNotDelaunayCost = 0.3;
 
-double cost_of_ball(const Refinement& r, const Triangle& v, const Dual& dual) {
-  return r.is_delaunay(v, dual) ? 0 : kNotDelaunayCost;
-}
-
 double cost_of_shape(const Refinement& r, const FacetShape& shape) {
   const double violation = deliso::violation(shape, r.parameters.refinement);
   return violation > 1 ? violation : 0;
 }
 
 double cost(const Refinement& r, const Triangle& v, const Dual& dual) {
-  return cost_of_shape(r, r.shape(v, dual)) + cost_of_ball(r, v, dual);
+  return cost_of_shape(r, r.shape(v, dual)) + (r.is_delaunay(v, dual) ? 0 : kNotDelaunayCost);
 }
 
 // Returns the cost of a facet whose dual is not known yet, or less: as if Sigma passed through its
@@ -63,12 +59,12 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   if (r.s.chain.is_boundary(v)) return Refusal::boundary;
   r.moves.resize(r.mesh.points.size());
   if (r.moves[v].are_vain) return Refusal::no_gain;
-  Proposal* c = r.propose(r.star(f, v));
-  if (!c) return Refusal::not_a_disk;
+  const Cavity* cavity = r.open(r.star(f, v));
+  if (!cavity) return Refusal::not_a_disk;
 
   Vec3 normal;
   double here = 0;
-  for (const FaceId g : c->cavity) {
+  for (const FaceId g : cavity->facets) {
     const Triangle& t = r.mesh.faces[g].v;
     normal = normal + r.normal(t);
     here += cost(r, t, r.s.duals[g]);
@@ -80,8 +76,7 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
     bool is_delaunay;  // if the vertex is not in it
   };
   std::vector<Ball> across;
-  for (const Disk::BoundaryEdge& e : c->was.boundary) {
-    const FaceId g = r.mesh.faces[c->cavity[e.facet]].n[e.side];
+  for (const FaceId g : cavity->across) {
     if (g == kNoId) continue;
     across.push_back({r.s.duals[g], r.is_delaunay(r.mesh.faces[g].v, r.s.duals[g], v)});
   }
@@ -101,17 +96,18 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   SearchCounters& searches = r.report.searches_refine;
   double there = 0;
   // The costs become known facet by facet. False as soon as the cost does not fall far enough.
-  const auto lowers_cost = [&] {
-    if (c->duals.empty()) {
+  const Refinement::Accept lowers_cost = [&](const Replacement& c) {
+    const std::vector<Triangle>& facets = c.in().facets;
+    if (c.duals.empty()) {
       there = cost_across();
-      for (const Triangle& t : c->in.facets) there += least_cost(r, t);
+      for (const Triangle& t : facets) there += least_cost(r, t);
     } else {
-      const Triangle& t = c->in.facets[c->duals.size() - 1];
-      there += cost(r, t, c->duals.back()) - least_cost(r, t);
+      const Triangle& t = facets[c.duals.size() - 1];
+      there += cost(r, t, c.duals.back()) - least_cost(r, t);
     }
     return there < (1 - kMinCostFall) * here &&
-           (!c->has_duals() || (r.finder.on_one_sheet(from, c->place, normal, searches) &&
-                                r.finder.leads_to(from, c->place, normal, searches)));
+           (!c.has_duals() || (r.finder.on_one_sheet(from, r.point(v), normal, searches) &&
+                               r.finder.leads_to(from, r.point(v), normal, searches)));
   };
   for (const double step : kStepRMins) {
     const double reach = step * r.parameters.r_min;
@@ -119,8 +115,9 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
       const Vec3 to = from + (reach * cosine) * u + (reach * sine) * w;
       const auto foot = r.finder.foot(to, normal, reach, searches);
       if (!foot) continue;
-      c->move(v, *foot);
-      if (!r.replace(lowers_cost)) return r.done(Operation::move, std::nullopt);
+      if (!r.make(cavity->move(v, *foot, Gates{}), lowers_cost)) {
+        return r.done(Operation::move, std::nullopt);
+      }
     }
   }
   r.moves[v].are_vain = true;

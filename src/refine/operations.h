@@ -18,9 +18,9 @@ namespace deliso {
 std::optional<Refusal> insert_point(Refinement& r, Operation operation, FaceId start,
                                     const Vec3& p);
 
-// Replaces `cavity` by the cone from p, as insert_point() does, and counts nothing. `split`: the
+// Replaces the facets by the cone from p, as insert_point() does, and counts nothing. `split`: the
 // boundary edge that p splits.
-std::optional<Refusal> replace_by_cone(Refinement& r, std::span<const FaceId> cavity, const Vec3& p,
+std::optional<Refusal> replace_by_cone(Refinement& r, std::span<const FaceId> facets, const Vec3& p,
                                        const BoundarySplit* split = nullptr);
 
 // Returns the longest edge of the cavity on the mesh's boundary whose diametral ball holds p.
@@ -57,10 +57,11 @@ bool may_remove(const Refinement& r, VertexId v);
 // True if the edge vw would lie in a face of the box and is not a chain edge.
 bool joins_on_box(const Refinement& r, VertexId v, VertexId w);
 
-// Proposes to merge `from`, a corner of f, into its neighbor `to`. Refused if `from` may not be
-// removed or its chain needs it.
-std::optional<Refusal> propose_merge(Refinement& r, FaceId f, VertexId from, VertexId to,
-                                     double least_cosine = kSharpestFold);
+// Merges `from`, a corner of f, into its neighbor `to`, and counts nothing. Refused if `from` may
+// not be removed or its chain needs it.
+std::optional<Refusal> merge_corner(Refinement& r, FaceId f, VertexId from, VertexId to,
+                                    const Gates& gates,
+                                    const Refinement::Accept& accept = Refinement::always);
 
 // Moves a corner of f along Sigma to the first of some places where the facets around it, and those
 // across them, cost less. Where every insertion is refused and no flip helps, the places of

@@ -37,10 +37,6 @@ Box3 box_of(const TriMesh& mesh, const Isosurface& surface) {
   return box;
 }
 
-bool has(std::span<const VertexId> list, VertexId v) {
-  return std::find(list.begin(), list.end(), v) != list.end();
-}
-
 }  // namespace
 
 Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
@@ -81,40 +77,6 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
   }
 }
 
-void Proposal::cone(const Vec3& p, const BoundarySplit* by) {
-  facets({});
-  what = Vertex::comes;
-  place = p;
-  if (by) split = *by;
-  for (const Disk::BoundaryEdge& edge : was.boundary) {
-    if (by && cavity[edge.facet] == by->edge.face && edge.side == by->edge.index) continue;
-    in.facets.push_back({edge.from, edge.to, vertex});
-  }
-}
-
-void Proposal::move(VertexId v, const Vec3& p) {
-  if (what != Vertex::moves) facets(was.facets);
-  what = Vertex::moves;
-  vertex = v;
-  place = p;
-}
-
-void Proposal::merge(VertexId from, VertexId to) {
-  facets({});
-  for (Triangle t : was.facets) {
-    if (has_corner(t, to)) continue;
-    std::ranges::replace(t, from, to);
-    in.facets.push_back(t);
-  }
-}
-
-void Proposal::facets(std::span<const Triangle> list) {
-  what = Vertex::none;
-  is_linked = false;
-  split.reset();
-  in.facets.assign(list.begin(), list.end());
-}
-
 std::span<const FaceId> Refinement::star(FaceId f, VertexId v) {
   facets_around(mesh, f, v, around_);
   return around_;
@@ -125,73 +87,98 @@ std::span<const FaceId> Refinement::encroached(FaceId start, const Vec3& p) {
   return around_;
 }
 
-Proposal* Refinement::propose(std::span<const FaceId> cavity, double least_cosine) {
-  Proposal& c = proposal;
-  is_open_ = true;
-  c.facets({});
-  c.cavity.assign(cavity.begin(), cavity.end());
-  c.was.facets.clear();
-  c.vertex = VertexId(mesh.points.size());
-  c.least_cosine = least_cosine;
-  c.asks_surface = true;
-  c.knows_duals = false;
+const Cavity* Refinement::open(std::span<const FaceId> facets) {
+  Cavity& cavity = tried_.cavity;
+  is_counted_ = false;
+  tried_.proposal = Proposal();
+  tried_.in_.facets.clear();
+  tried_.duals.clear();
+  cavity.facets.assign(facets.begin(), facets.end());
+  cavity.disk.facets.clear();
+  cavity.next_ = VertexId(mesh.points.size());
+  ++cavity.number_;
   marks_.resize(mesh.faces.size());
-  ++stamp_;
-  for (const FaceId f : c.cavity) {
-    marks_[f] = stamp_;
-    c.was.facets.push_back(mesh.faces[f].v);
+  for (const FaceId f : facets) {
+    marks_[f] = cavity.number_;
+    cavity.disk.facets.push_back(mesh.faces[f].v);
   }
-  return c.was.link() ? &c : nullptr;
-}
-
-bool Refinement::leaves_free_box(const Proposal& c) const {
-  return std::ranges::any_of(c.cavity, [&](FaceId f) { return is_frozen(f); }) ||
-         (c.what != Proposal::Vertex::none && !free_box.holds(c.place));
-}
-
-void Refinement::put_in_place(const Proposal& c) {
-  if (c.what == Proposal::Vertex::comes) {
-    DELISO_ASSERT(c.vertex == mesh.points.size());
-    mesh.points.push_back(c.place);
-  } else if (c.what == Proposal::Vertex::moves) {
-    moved_from_ = point(c.vertex);
-    mesh.points[c.vertex] = c.place;
+  if (!cavity.disk.link()) return nullptr;
+  cavity.across.clear();
+  for (const Disk::BoundaryEdge& edge : cavity.disk.boundary) {
+    cavity.across.push_back(mesh.faces[facets[edge.facet]].n[edge.side]);
   }
+  return &cavity;
 }
 
-void Refinement::undo(const Proposal& c) {
-  if (c.what == Proposal::Vertex::comes) mesh.points.pop_back();
-  if (c.what == Proposal::Vertex::moves) mesh.points[c.vertex] = moved_from_;
+std::optional<Refusal> Refinement::make(Proposal proposal, const Accept& accept) {
+  DELISO_CHECK(proposal.cavity_ == tried_.cavity.number_);
+  Replacement& c = tried_;
+  c.proposal = std::move(proposal);
+  c.in_.facets = c.proposal.facets;
+  c.duals = c.proposal.duals;
+  if (leaves_free_box(c)) return Refusal::frozen;
+  put_in_place(c);
+  std::optional<Refusal> refusal = test_shape(c);
+  if (!refusal && !accept(c)) refusal = Refusal::no_gain;
+  for (std::ptrdiff_t allowed = facets_without_point(c); !refusal && !c.has_duals();) {
+    refusal = !find_dual(c, allowed) ? std::optional(Refusal::no_surface_point)
+              : !accept(c)           ? std::optional(Refusal::no_gain)
+                                     : std::nullopt;
+  }
+  if (!refusal && uncovers(c)) refusal = Refusal::uncovers;
+  if (!refusal && crosses(c)) refusal = Refusal::crossing;
+  refusal ? undo(c) : commit(c);
+  return refusal;
 }
 
-void Refinement::commit(Proposal& c) {
-  const Disk& in = c.in;
-  for (const FaceId f : c.cavity) facets_.remove(f);
-  if (c.what == Proposal::Vertex::moves) vertices_.remove(c.vertex);
-  if (c.what != Proposal::Vertex::none) vertices_.add(c.vertex, vertices_.box_of(point(c.vertex)));
-  for (const VertexId v : c.was.vertices()) {
-    if (!has(in.vertices(), v)) vertices_.remove(v);
+bool Refinement::leaves_free_box(const Replacement& c) const {
+  return std::ranges::any_of(c.cavity.facets, [&](FaceId f) { return is_frozen(f); }) ||
+         (c.proposal.what != Proposal::Vertex::none && !free_box.holds(c.proposal.place));
+}
+
+void Refinement::put_in_place(const Replacement& c) {
+  const Vec3& place = c.proposal.place;
+  if (c.has_new_vertex()) mesh.points.push_back(place);
+  if (c.moves()) moved_from_ = std::exchange(mesh.points[c.proposal.vertex], place);
+}
+
+void Refinement::undo(const Replacement& c) {
+  if (c.has_new_vertex()) mesh.points.pop_back();
+  if (c.moves()) mesh.points[c.proposal.vertex] = moved_from_;
+}
+
+void Refinement::commit(Replacement& c) {
+  const Disk &was = c.cavity.disk, &in = c.in();
+  const std::vector<FaceId>& removed = c.cavity.facets;
+  const VertexId vertex = c.proposal.vertex;
+  for (const FaceId f : removed) facets_.remove(f);
+  if (c.moves()) vertices_.remove(vertex);
+  if (c.proposal.what != Proposal::Vertex::none) {
+    vertices_.add(vertex, vertices_.box_of(point(vertex)));
+  }
+  for (const VertexId v : was.vertices()) {
     if (v < moves.size()) moves[v].are_vain = false;
-  }
-  // A vertex inside the new disk, or gone, is no longer on the mesh's boundary.
-  for (const VertexId v : c.was.vertices()) {
+    if (std::ranges::find(in.vertices(), v) == in.vertices().end()) vertices_.remove(v);
+    // A vertex inside the new disk, or gone, is no longer on the mesh's boundary.
     if (s.chain.is_boundary(v) &&
         std::ranges::find(in.boundary, v, &Disk::BoundaryEdge::from) == in.boundary.end()) {
       s.chain.remove(v);
     }
   }
-  if (c.split) s.chain.insert_after(c.split->before, c.vertex, c.split->place);
+  if (const auto& split = c.proposal.split) {
+    s.chain.insert_after(split->before, vertex, split->place);
+  }
   c.created.clear();
   for (std::size_t k = 0; k < in.facets.size(); ++k) {
-    c.created.push_back(k < c.cavity.size() ? c.cavity[k] : FaceId(mesh.faces.size()));
-    if (k >= c.cavity.size()) mesh.faces.emplace_back();
+    c.created.push_back(k < removed.size() ? removed[k] : FaceId(mesh.faces.size()));
+    if (k >= removed.size()) mesh.faces.emplace_back();
   }
   s.duals.resize(mesh.faces.size());
-  const std::uint32_t component = component_[c.cavity[0]];
+  const std::uint32_t component = component_[removed[0]];
   component_.resize(mesh.faces.size(), component);
-  component_size_[component] += static_cast<std::uint32_t>(in.facets.size() - c.cavity.size());
-  for (std::size_t k = in.facets.size(); k < c.cavity.size(); ++k) {
-    mesh.faces[c.cavity[k]] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
+  component_size_[component] += static_cast<std::uint32_t>(in.facets.size() - removed.size());
+  for (std::size_t k = in.facets.size(); k < removed.size(); ++k) {
+    mesh.faces[removed[k]] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
   }
   for (std::size_t k = 0; k < in.facets.size(); ++k) {
     Face& face = mesh.faces[c.created[k]];
@@ -203,25 +190,27 @@ void Refinement::commit(Proposal& c) {
     s.duals[c.created[k]] = c.duals[k];
     facets_.add(c.created[k], crossing_.boxes()[k]);
   }
+  const std::vector<FaceId>& across = c.across();
   for (std::size_t k = 0; k < in.boundary.size(); ++k) {
-    if (across_[k] == kNoId) continue;
+    if (across[k] == kNoId) continue;
     const Disk::BoundaryEdge& edge = in.boundary[k];
-    mesh.faces[c.created[edge.facet]].n[edge.side] = across_[k];
-    Face& outside = mesh.faces[across_[k]];
+    mesh.faces[c.created[edge.facet]].n[edge.side] = across[k];
+    Face& outside = mesh.faces[across[k]];
     for (int i = 0; i < 3; ++i) {
       if (outside.v[(i + 1) % 3] == edge.to && outside.v[(i + 2) % 3] == edge.from) {
         outside.n[i] = c.created[edge.facet];
       }
     }
   }
+  ++c.cavity.number_;  // its facets are gone
 }
 
 std::optional<Refusal> Refinement::done(Operation operation, std::optional<Refusal> refusal) {
   if (observer) {
     DELISO_CHECK(question);
-    observer->operation_tried(*question, operation, is_open_ ? proposal : Proposal(), refusal);
+    observer->operation_tried(*question, operation, is_counted_ ? Replacement() : tried_, refusal);
   }
-  is_open_ = false;
+  is_counted_ = true;
   return report[operation].count(refusal);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The state of Stage 2 and its one change: another disk over the same boundary replaces a disk of
 // facets, the cavity. Insertion, flip, collapse and move (refine/operations.h) and removal
-// (refine/thin.h) propose such changes. On the mesh's boundary the boundary of the cavity may
-// change too, between two boundary vertices.
+// (refine/thin.h) propose such changes (refine/proposal.h), each with what the gates below ask. On
+// the mesh's boundary the boundary of the cavity may change too, between two boundary vertices.
 //
 // The mesh of Stage 1 is a manifold, homeomorphic to Sigma, embedded, with its vertices on Sigma.
 // Every replacement keeps that, because it passes these tests, from cheap to expensive. Only moves
@@ -26,6 +26,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -33,7 +34,7 @@
 
 #include "embedding/box_grid.h"
 #include "embedding/disk_crossing.h"
-#include "mesh/disk.h"
+#include "refine/proposal.h"
 #include "run/observer.h"
 #include "run/parameters.h"
 #include "run/report.h"
@@ -42,58 +43,6 @@
 #include "surface/surface_point.h"
 
 namespace deliso {
-
-// The edge of facet `face` opposite its corner `index`.
-struct EdgeRef {
-  FaceId face = kNoId;
-  int index = 0;
-};
-
-// Least cosine between the normals at an edge after a change, unless one was less before. Pieces of
-// Sigma thinner than a voxel have edges nearly as sharp.
-inline constexpr double kSharpestFold = -0.97;
-inline constexpr double kAnyFold = -1;
-
-// An edge of the mesh's boundary that a new vertex splits, the vertex before it in the boundary
-// chain, and the new one's place on the curve.
-struct BoundarySplit {
-  EdgeRef edge;
-  VertexId before = kNoId;
-  CurvePlace place;
-};
-
-// A proposed replacement. Refinement::propose() finds that the cavity is a disk; cone(), move(),
-// merge() or facets() say what comes in its place.
-struct Proposal {
-  std::vector<FaceId> cavity;  // the facets to be removed
-  Disk was;                    // the same by their corners
-  Disk in;                     // the new disk; linked by G1
-  enum class Vertex : std::uint8_t { none, comes, moves } what = Vertex::none;
-  VertexId vertex = kNoId;             // moved or new; a new one is the mesh's vertex count
-  Vec3 place;                          // of the new vertex, or to which the vertex moves
-  std::optional<BoundarySplit> split;  // by the vertex that comes
-  double least_cosine = kAnyFold;      // G2: between the normals at an edge
-  // False: without G3 and G4. Of a cavity that lies in a face of the domain box, to be lifted, at
-  // any distance from Sigma. A component in that face bounds no volume yet, so either orientation
-  // is allowed.
-  bool asks_surface = true;
-  // `in` is linked, and so are the facets across, as a vertex only moves.
-  bool is_linked = false;
-  std::vector<Dual> duals;  // of `in`, by G3
-  // `duals` were set before replace(), each with a surface point.
-  bool knows_duals = false;
-  bool has_duals() const { return duals.size() == in.facets.size(); }
-  std::vector<FaceId> created;  // ids of `in` in the mesh, after the replacement
-
-  // The cone from a new vertex at p to the boundary of the cavity. It has no facet on the edge that
-  // the vertex splits, if any.
-  void cone(const Vec3& p, const BoundarySplit* by = nullptr);
-  // The same facets, with v at p.
-  void move(VertexId v, const Vec3& p);
-  // The facets without corner `to`, with `from` at `to`.
-  void merge(VertexId from, VertexId to);
-  void facets(std::span<const Triangle> list);
-};
 
 class Refinement {
  public:
@@ -105,7 +54,7 @@ class Refinement {
   TriMesh& mesh;
   const Isosurface& surface;
   const BoundaryCurves& curves;
-  Parameters parameters;  // the bound on the distance gives way to target_vertices
+  Parameters parameters;
   Report& report;
   Observer* const observer;            // null unless it follows insertions
   const Question* question = nullptr;  // with an observer: the one that operations answer
@@ -113,7 +62,6 @@ class Refinement {
   // Vertices from this one on were inserted by this refinement; collapses leave them.
   const std::size_t inserted;
   SurfacePointFinder finder;
-  Proposal proposal;  // the last one
   // Of a vertex, in this refinement. Moves are vain where every place was refused, until a facet at
   // the vertex changes.
   struct Moves {
@@ -127,40 +75,23 @@ class Refinement {
   std::span<const FaceId> star(FaceId f, VertexId v);
   std::span<const FaceId> encroached(FaceId start, const Vec3& p);
 
-  // Proposes to replace `cavity`. Returns `proposal`, or null if the cavity is not a disk.
-  // `least_cosine`: see Proposal.
-  Proposal* propose(std::span<const FaceId> cavity, double least_cosine = kSharpestFold);
+  // Returns the cavity of these facets, or null if they are not a disk. It is the only one until
+  // the next call, and ends when a proposal for it is made.
+  const Cavity* open(std::span<const FaceId> facets);
+  // True while the operation can still lower its quantity. Always, if it has none.
+  using Accept = std::function<bool(const Replacement&)>;
+  static bool always(const Replacement&) { return true; }
   // Makes the proposal and returns nullopt, or returns the test that refuses it and changes
-  // nothing. accept() is true while the operation can still lower its quantity. It is called when
-  // the vertex is in its place: first without duals of the new facets, then after each new dual.
-  // After a refusal the cavity can be filled in another way. pre: propose().
-  template <class Accept>
-  std::optional<Refusal> replace(Accept&& accept) {
-    Proposal& c = proposal;
-    if (leaves_free_box(c)) return Refusal::frozen;
-    put_in_place(c);
-    if (!c.knows_duals) c.duals.clear();
-    std::optional<Refusal> refusal = test_shape(c);
-    if (!refusal && !accept()) refusal = Refusal::no_gain;
-    for (std::ptrdiff_t allowed = facets_without_point(c); !refusal && !c.has_duals();) {
-      refusal = !find_dual(c, allowed) ? std::optional(Refusal::no_surface_point)
-                : !accept()            ? std::optional(Refusal::no_gain)
-                                       : std::nullopt;
-    }
-    if (!refusal && uncovers(c)) refusal = Refusal::uncovers;
-    if (!refusal && crosses(c)) refusal = Refusal::crossing;
-    refusal ? undo(c) : commit(c);
-    return refusal;
-  }
-  // The same for operations with no quantity to lower.
-  std::optional<Refusal> replace() {
-    return replace([] { return true; });
-  }
+  // nothing. accept() is called when the vertex is in its place: first with the duals that the
+  // proposal has, then after each new dual. pre: the proposal is one of the open cavity.
+  std::optional<Refusal> make(Proposal proposal, const Accept& accept = always);
 
-  // Counts the outcome of an operation, reports it to the observer with what was proposed since the
+  // Counts the outcome of an operation, reports it to the observer with what was tried since the
   // last outcome, and returns it. pre: a Question, if there is an observer.
   std::optional<Refusal> done(Operation operation, std::optional<Refusal> refusal);
-  std::span<const FaceId> created() const { return proposal.created; }
+  // Returns the last replacement, made or not, and the facets that it created.
+  const Replacement& tried() const { return tried_; }
+  std::span<const FaceId> created() const { return tried_.created; }
 
   FacetShape shape(const Triangle& v, const Dual& dual) const { return s.shape(v, dual); }
   FacetShape shape(FaceId f) const { return shape(mesh.faces[f].v, s.duals[f]); }
@@ -194,50 +125,48 @@ class Refinement {
   }
 
  private:
-  bool leaves_free_box(const Proposal& c) const;
-  void put_in_place(const Proposal& c);
-  void undo(const Proposal& c);
-  void commit(Proposal& c);
+  bool leaves_free_box(const Replacement& c) const;
+  void put_in_place(const Replacement& c);
+  void undo(const Replacement& c);
+  void commit(Replacement& c);
 
   // refine/gates.cpp
-  std::optional<Refusal> test_shape(Proposal& c);  // G1 and G2
+  std::optional<Refusal> test_shape(Replacement& c);  // G1 and G2
   // G3 for the next facet of `in`: finds its dual. False if more facets lack a surface point than
   // `allowed`.
-  bool find_dual(Proposal& c, std::ptrdiff_t& allowed);
+  bool find_dual(Replacement& c, std::ptrdiff_t& allowed);
   // Returns how many facets of the cavity above r_min lack one: `in` may have the same number.
-  std::ptrdiff_t facets_without_point(const Proposal& c) const;
-  bool keeps_manifold(Proposal& c);
-  bool is_joined_outside(VertexId a, VertexId b, const Proposal& c);
+  std::ptrdiff_t facets_without_point(const Replacement& c) const;
+  bool keeps_manifold(Replacement& c);
+  bool is_joined_outside(VertexId a, VertexId b, const Replacement& c);
   // True if an edge between them would lie in an inner face of the block: only the seam does.
   bool joins_on_seam(VertexId a, VertexId b) const;
   double sharpest_edge(const Disk& disk, std::span<const Vec3> normals,
                        std::span<const FaceId> across) const;
-  bool folds(const Proposal& c) const;
-  bool reverses(Proposal& c);
-  bool uncovers(const Proposal& c) const;  // G4
+  bool folds(const Replacement& c) const;
+  bool reverses(Replacement& c);
+  bool uncovers(const Replacement& c) const;  // G4
   bool faces_out(const Triangle& v, const Vec3& normal) const;
-  bool is_needle(const Proposal& c) const;
-  bool crosses(const Proposal& c);
-  Vec3 point_before(const Proposal& c, VertexId v) const {
-    return c.what == Proposal::Vertex::moves && v == c.vertex ? moved_from_ : point(v);
+  bool is_needle(const Replacement& c) const;
+  bool crosses(const Replacement& c);
+  Vec3 point_before(const Replacement& c, VertexId v) const {
+    return c.moves() && v == c.proposal.vertex ? moved_from_ : point(v);
   }
   bool is_small(const Dual& dual) const {
     return dual.radius2 <= parameters.r_min * parameters.r_min;
   }
 
-  bool is_in_cavity(FaceId f) const { return marks_[f] == stamp_; }
+  bool is_in_cavity(FaceId f) const { return marks_[f] == tried_.cavity.number_; }
 
   BoxGrid facets_, vertices_;
   IdArray<FaceId, std::uint32_t> component_;   // per facet, the component that has it
   std::vector<std::uint32_t> component_size_;  // facets of each
 
-  // Of the current proposal.
-  bool is_open_ = false;              // its outcome is not counted yet
-  std::vector<std::uint32_t> marks_;  // per facet: stamp_ if it is in the cavity
-  std::uint32_t stamp_ = 0;
+  Replacement tried_;
+  bool is_counted_ = true;            // its outcome
+  std::vector<std::uint32_t> marks_;  // per facet, the number of the last cavity that had it
   Vec3 moved_from_;
-  std::vector<FaceId> across_;  // per boundary edge of the new disk; kNoId on the mesh's boundary
-  std::vector<FaceId> rest_;    // facets of a small component outside the cavity
+  std::vector<FaceId> rest_;  // facets of a small component outside the cavity
   std::vector<Vec3> normals_;
   DiskCrossing crossing_;
   std::vector<FaceId> around_;  // of star() and encroached()

@@ -80,16 +80,14 @@ class Separation {
     }
     flip_needle(f);
   }
-  // The tests of a collapse: all, or the topology and crossings alone.
-  enum class Gates : std::uint8_t { all, topology };
   bool unfold(FaceId f, int i, const Vec3& normal);
   bool flip_fold(FaceId f, int i, double fold);
   bool flip_needle(FaceId f);
   bool remove_tip(FaceId f, int i);
-  bool collapse(FaceId f, int i, Gates gates);
+  bool collapse(FaceId f, int i, const Gates& gates);
   bool merge_across(FaceId f, int i);
   bool collapse_if_short(FaceId f, int i);
-  bool lies_on_box(VertexId from, VertexId to) const;
+  bool joins_star_on_box(FaceId f, VertexId from, VertexId to);
 
   bool push_apart();
   void find_pushes(VertexId v, FaceId f);
@@ -121,21 +119,21 @@ bool Separation::unfold(FaceId f, int i, const Vec3& normal) {
   const double fold = cosine_between(normal, across);
   if (!(fold < kSharpestFold)) return false;
   return flip_fold(f, i, fold) || merge_across(f, i) ||
-         merge_across(g, neighbor_index(r_.mesh.faces[g], f)) || collapse(f, i, Gates::all) ||
+         merge_across(g, neighbor_index(r_.mesh.faces[g], f)) || collapse(f, i, Gates{}) ||
          (fold < kFlatFold && remove_tip(f, i));
 }
 
 bool Separation::flip_fold(FaceId f, int i, double fold) {
   const Quad q = quad_at(r_.mesh, f, i);
-  Proposal* c = joins_on_box(r_, q.a, q.d) ? nullptr : r_.propose(std::array{q.f, q.g});
-  if (!c) return false;
-  c->facets(q.flipped());
-  // The same facets but for a hair: their surface points do not matter.
-  c->asks_surface = fold > kFlatFold;
-  return accept(Operation::flip, r_.replace([&] {
+  const Cavity* cavity = joins_on_box(r_, q.a, q.d) ? nullptr : r_.open(std::array{q.f, q.g});
+  if (!cavity) return false;
+  // Else the same facets but for a hair: their surface points do not matter.
+  const Gates gates = fold > kFlatFold ? Gates{} : topology_gates(kSharpestFold);
+  const auto is_folded_less = [&](const Replacement&) {
     const auto& [s, t] = q.flipped();
     return cosine_between(r_.normal(s), r_.normal(t)) > fold;
-  }));
+  };
+  return accept(Operation::flip, r_.make(cavity->fill(q.flipped(), gates), is_folded_less));
 }
 
 // Removes an end of the fold whose three facets lie on each other: Sigma has no such tip.
@@ -144,15 +142,13 @@ bool Separation::remove_tip(FaceId f, int i) {
   for (const VertexId tip : {v[(i + 1) % 3], v[(i + 2) % 3]}) {
     const std::span<const FaceId> star = r_.star(f, tip);
     if (star.size() != 3 || r_.s.chain.is_boundary(tip)) continue;
-    Proposal* c = r_.propose(star, kAnyFold);
-    if (!c) continue;
-    const auto& rim = c->was.boundary;  // in any order
+    const Cavity* cavity = r_.open(star);
+    if (!cavity) continue;
+    const auto& rim = cavity->disk.boundary;  // in any order
     const VertexId next = rim[0].to;
     const VertexId last = rim[1].from == next ? rim[1].to : rim[2].to;
     const Triangle left{rim[0].from, next, last};
-    c->facets({&left, 1});
-    c->asks_surface = false;
-    if (accept(Operation::collapse, r_.replace())) return true;
+    if (accept(Operation::collapse, r_.make(cavity->fill({&left, 1}, kTopologyGates)))) return true;
   }
   return false;
 }
@@ -173,11 +169,8 @@ bool Separation::flip_needle(FaceId f) {
   const Quad q = quad_at(r_.mesh, f, i);
   const auto [s, t] = q.flipped();
   if (joins_on_box(r_, q.a, q.d) || !(std::min(height2(s), height2(t)) > before)) return false;
-  Proposal* c = r_.propose(std::array{q.f, q.g}, kAnyFold);
-  if (!c) return false;
-  c->facets(q.flipped());
-  c->asks_surface = false;
-  return accept(Operation::flip, r_.replace());
+  const Cavity* cavity = r_.open(std::array{q.f, q.g});
+  return cavity && accept(Operation::flip, r_.make(cavity->fill(q.flipped(), kTopologyGates)));
 }
 
 // Merges the corner i of f into the corner of the facet across the opposite edge. The two facets at
@@ -185,9 +178,10 @@ bool Separation::flip_needle(FaceId f) {
 bool Separation::merge_across(FaceId f, int i) {
   const Quad q = quad_at(r_.mesh, f, i);
   if (r_.s.chain.is_boundary(q.a)) return false;
-  std::vector<FaceId> cavity(r_.star(f, q.a).begin(), r_.star(f, q.a).end());
+  const std::span<const FaceId> star = r_.star(f, q.a);
+  std::vector<FaceId> removed(star.begin(), star.end());
   std::vector<Triangle> facets;
-  for (const FaceId h : cavity) {
+  for (const FaceId h : removed) {
     if (h == f) continue;
     Triangle v = r_.mesh.faces[h].v;
     if (has_corner(v, q.d)) return false;
@@ -197,41 +191,39 @@ bool Separation::merge_across(FaceId f, int i) {
     std::ranges::replace(v, q.a, q.d);
     facets.push_back(v);
   }
-  cavity.push_back(q.g);
-  Proposal* c = r_.propose(cavity);
-  if (!c) return false;
-  c->facets(facets);
-  return accept(Operation::collapse, r_.replace());
+  removed.push_back(q.g);
+  const Cavity* cavity = r_.open(removed);
+  return cavity && accept(Operation::collapse, r_.make(cavity->fill(facets, Gates{})));
 }
 
 bool Separation::collapse_if_short(FaceId f, int i) {
   const Triangle& v = r_.mesh.faces[f].v;
   const double shortest = kShortestEdgeVoxels * r_.parameters.voxel;
   return distance2(r_.point(v[(i + 1) % 3]), r_.point(v[(i + 2) % 3])) < shortest * shortest &&
-         collapse(f, i, Gates::topology);
+         collapse(f, i, kTopologyGates);
 }
 
-bool Separation::collapse(FaceId f, int i, Gates gates) {
+bool Separation::collapse(FaceId f, int i, const Gates& gates) {
   const Triangle v = r_.mesh.faces[f].v;
   const VertexId a = v[(i + 1) % 3], b = v[(i + 2) % 3];
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
-    const bool all = gates == Gates::all;
-    auto refusal = propose_merge(r_, f, from, to, all ? kSharpestFold : kAnyFold);
-    r_.proposal.asks_surface = all;
-    if (!refusal && lies_on_box(from, to)) refusal = Refusal::boundary;
-    if (!refusal) refusal = r_.replace();
-    if (accept(Operation::collapse, refusal)) return true;
+    if (accept(Operation::collapse, joins_star_on_box(f, from, to)
+                                        ? Refusal::boundary
+                                        : merge_corner(r_, f, from, to, gates))) {
+      return true;
+    }
   }
   return false;
 }
 
-// True if the proposed merge would join `to` to a vertex that is no neighbor on the boundary, by an
-// edge in a face of the box.
-bool Separation::lies_on_box(VertexId from, VertexId to) const {
+// True if a merge of `from`, a boundary vertex of f, would join `to` to a vertex that is no
+// neighbor on the boundary, by an edge in a face of the box.
+bool Separation::joins_star_on_box(FaceId f, VertexId from, VertexId to) {
   const BoundaryChain& chain = r_.s.chain;
-  return chain.is_boundary(from) &&
-         std::ranges::any_of(r_.proposal.was.vertices(), [&](VertexId q) {
-           return q != from && q != to && !chain.is_edge(from, q) && joins_on_box(r_, to, q);
+  return chain.is_boundary(from) && std::ranges::any_of(r_.star(f, from), [&](FaceId g) {
+           return std::ranges::any_of(r_.mesh.faces[g].v, [&](VertexId q) {
+             return q != from && q != to && !chain.is_edge(from, q) && joins_on_box(r_, to, q);
+           });
          });
 }
 
@@ -325,12 +317,12 @@ bool Separation::move(const Push& push) {
     if ((faces >> (2 * axis) & 3) != 0) along[axis] = 0;
   }
   const double size = length(along), step = kMoveGaps * gap_;
-  Proposal* c = size > 0 ? r_.propose(r_.star(f, v), kAnyFold) : nullptr;
-  if (!c) return false;
+  const Cavity* cavity = size > 0 ? r_.open(r_.star(f, v)) : nullptr;
+  if (!cavity) return false;
   Vec3 to = from + step / size * along;
   if (!is_boundary) {
     Vec3 normal;
-    for (const Triangle& t : c->was.facets) normal = normal + r_.normal(t);
+    for (const Triangle& t : cavity->disk.facets) normal = normal + r_.normal(t);
     const auto foot = r_.finder.foot(to, normal, kBesideShare * step, r_.report.searches_refine);
     if (foot) to = *foot;
   }
@@ -339,9 +331,7 @@ bool Separation::move(const Push& push) {
     to[axis] = std::clamp(to[axis], box.lo[axis], box.hi[axis]);
   }
   const Question question(r_, v, Reason::too_near);
-  c->asks_surface = false;
-  c->move(v, to);
-  return accept(Operation::move, r_.replace());
+  return accept(Operation::move, r_.make(cavity->move(v, to, kTopologyGates)));
 }
 
 }  // namespace

@@ -59,9 +59,10 @@ std::optional<Refusal> Thinning::remove(VertexId v) {
   if (std::ranges::any_of(star, [&](FaceId f) { return r_.is_frozen(f); })) return Refusal::frozen;
   ring_.project();
   if (!hole_.fill(ring_, test_)) return Refusal::no_gain;
-  Proposal* c = r_.propose(star);
-  if (!c) return Refusal::not_a_disk;
-  c->duals.clear();
+  const Cavity* cavity = r_.open(star);
+  if (!cavity) return Refusal::not_a_disk;
+  std::vector<Triangle> facets;
+  std::vector<Dual> duals;
   for (int n = 0; n < hole_.size(); ++n) {
     const auto& [corner, across] = hole_.facet(n);
     const Triangle facet{ring_.vertex[corner[0]], ring_.vertex[corner[1]], ring_.vertex[corner[2]]};
@@ -73,11 +74,10 @@ std::optional<Refusal> Thinning::remove(VertexId v) {
     const Dual dual = r_.finder.dual(r_.point(facet[0]), r_.point(facet[1]), r_.point(facet[2]),
                                      r_.report.searches_refine);
     if (r_.violation(facet, dual) > 1 || !r_.is_delaunay(facet, dual, v)) return Refusal::no_gain;
-    c->in.facets.push_back(facet);
-    c->duals.push_back(dual);
+    facets.push_back(facet);
+    duals.push_back(dual);
   }
-  c->knows_duals = true;
-  return r_.replace();
+  return r_.make(cavity->fill(facets, Gates{}, duals));
 }
 
 }  // namespace deliso

@@ -20,7 +20,7 @@
 namespace deliso {
 
 struct Parameters;
-struct Proposal;
+struct Replacement;
 class Question;
 struct SurfaceMesh;
 
@@ -61,7 +61,7 @@ class Observer {
   virtual void mesh_handed_over(const SurfaceMesh&) {}
   // The operation was done, or it was refused and the mesh is unchanged. The question says why it
   // was tried.
-  virtual void operation_tried(const Question&, Operation, const Proposal&,
+  virtual void operation_tried(const Question&, Operation, const Replacement&,
                                std::optional<Refusal>) {}
   virtual void mesh_finished() {}
 };

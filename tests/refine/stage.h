@@ -134,15 +134,24 @@ inline double distance2_to_mesh(const Vec3& p, const TriMesh& mesh) {
   return nearest2;
 }
 
-// Proposes what was filled in by hand.
-inline Proposal* propose(Refinement& r, const Proposal& made) {
-  Proposal* proposal = r.propose(made.cavity, made.least_cosine);
-  if (!proposal) return nullptr;
-  proposal->facets(made.in.facets);
-  proposal->what = made.what;
-  proposal->place = made.place;
-  if (made.what != Proposal::Vertex::none) proposal->vertex = made.vertex;
-  return proposal;
+// A change by hand: facets to be removed, and what comes in their place.
+struct Change {
+  std::vector<FaceId> cavity;
+  Gates gates = kInsertionGates;
+  std::optional<Vec3> apex = std::nullopt;  // of a cone
+  VertexId moved = kNoId;                   // to `apex`
+  std::vector<Triangle> facets = {};        // without an apex
+};
+
+// Makes it if every gate lets it pass, wanted or not.
+inline std::optional<Refusal> make(Refinement& r, const Change& change,
+                                   const Refinement::Accept& accept = Refinement::always) {
+  const Cavity* cavity = r.open(change.cavity);
+  if (!cavity) return Refusal::not_a_disk;
+  return r.make(!change.apex            ? cavity->fill(change.facets, change.gates)
+                : change.moved == kNoId ? cavity->cone(*change.apex, change.gates)
+                                        : cavity->move(change.moved, *change.apex, change.gates),
+                accept);
 }
 
 // Stage 1 done, and what Stage 2's proposers need.
@@ -269,11 +278,10 @@ class Stage {
     const FaceId g = mesh.faces[f].n[i];
     if (g == kNoId) return false;
     const auto [beyond, a, b, c, d] = corners_at(mesh.faces, f, i);
-    Proposal* proposal = r.propose(std::array{f, g});
-    if (!proposal) return false;
-    proposal->facets(std::array<Triangle, 2>{{{a, b, d}, {d, c, a}}});
-    if (r.replace()) return false;
-    if (created) *created = proposal->created;
+    const std::array<Triangle, 2> flipped{{{a, b, d}, {d, c, a}}};
+    const Cavity* cavity = r.open(std::array{f, g});
+    if (!cavity || r.make(cavity->fill(flipped, Gates{}))) return false;
+    if (created) created->assign(r.created().begin(), r.created().end());
     return true;
   }
 

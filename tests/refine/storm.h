@@ -91,12 +91,12 @@ inline void allow_coarser(Stage& stage) {
 }
 
 // The one vertex of the cavity that the new facets do not have.
-inline VertexId removed_vertex(const Proposal& c) {
+inline VertexId removed_vertex(const Replacement& c) {
   VertexId gone = kNoId;
-  for (const Triangle& was : c.was.facets) {
+  for (const Triangle& was : c.cavity.disk.facets) {
     for (const VertexId v : was) {
       const auto has_v = [&](const Triangle& t) { return has_corner(t, v); };
-      if (v == gone || std::ranges::any_of(c.in.facets, has_v)) continue;
+      if (v == gone || std::ranges::any_of(c.in().facets, has_v)) continue;
       REQUIRE(gone == kNoId);
       gone = v;
     }

@@ -33,10 +33,8 @@ Wanting count_wanting(const Stage& stage) {
 
 // Moves v to p when every gate lets it pass, wanted or not.
 bool push(Stage& stage, FaceId f, VertexId v, const Vec3& p) {
-  Proposal* proposal = stage.r.propose(stage.r.star(f, v));
-  if (!proposal) return false;
-  proposal->move(v, p);
-  return !stage.r.replace();
+  const Cavity* cavity = stage.r.open(stage.r.star(f, v));
+  return cavity && !stage.r.make(cavity->move(v, p, Gates{}));
 }
 
 // Along Sigma, as far as `far`.

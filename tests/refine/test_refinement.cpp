@@ -34,9 +34,8 @@ struct Bare {
     r.emplace(surface_mesh, scene.surface, curves, parameters, report);
   }
   // Whether G1 lets the change pass. Nothing is done.
-  bool keeps_manifold(Proposal& change) {
-    if (!propose(*r, change)) return false;
-    const auto refusal = r->replace([] { return false; });
+  bool keeps_manifold(const Change& change) {
+    const auto refusal = make(*r, change, [](const Replacement&) { return false; });
     REQUIRE(refusal);
     // Of points anywhere a change turns small components inside out.
     REQUIRE((refusal == Refusal::not_a_disk || refusal == Refusal::turned ||
@@ -50,17 +49,15 @@ struct Bare {
 };
 
 // The mesh after the change, made anew from its triangles, whether or not it is one.
-TriMesh changed_mesh(const TriMesh& mesh, const Proposal& change) {
+TriMesh changed_mesh(const TriMesh& mesh, const Change& change) {
   Triangles triangles;
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
     if (is_dead(mesh.faces[f])) continue;
     if (std::find(change.cavity.begin(), change.cavity.end(), f) != change.cavity.end()) continue;
     triangles.push_back(mesh.faces[f].v);
   }
-  triangles.insert(triangles.end(), change.in.facets.begin(), change.in.facets.end());
-  std::vector<Vec3> points = mesh.points;
-  if (change.what == Proposal::Vertex::comes) points.push_back(change.place);
-  return make_tri_mesh(std::move(points), triangles);
+  triangles.insert(triangles.end(), change.facets.begin(), change.facets.end());
+  return make_tri_mesh(mesh.points, triangles);
 }
 
 bool same_topology(const TriMesh& a, const TriMesh& b) {
@@ -109,15 +106,15 @@ TEST_CASE("collapses pass the link condition exactly where they keep the mesh an
         const Triangle& v = mesh.faces[f].v;
         const int i = side % 3;
         const VertexId from = v[(i + 1 + side / 3) % 3], to = v[(i + 2 - side / 3) % 3];
-        Proposal change;
+        Change change;
         facets_around(mesh, f, from, change.cavity);
         for (const FaceId g : change.cavity) {
           Triangle t = mesh.faces[g].v;
           if (has_corner(t, to)) continue;
           std::replace(t.begin(), t.end(), from, to);
-          change.in.facets.push_back(t);
+          change.facets.push_back(t);
         }
-        if (change.in.facets.empty()) continue;
+        if (change.facets.empty()) continue;
         const bool keeps = same_topology(mesh, changed_mesh(mesh, change));
         INFO("from ", from, " to ", to, " in ", mesh.faces.size(), " facets");
         // From the boundary inwards the new facets are two disks that meet in a vertex: refused,
@@ -147,9 +144,9 @@ TEST_CASE("flips pass the link condition exactly where the other diagonal is no 
         const Triangle& v = mesh.faces[f].v;
         const VertexId a = v[i], b = v[(i + 1) % 3], c = v[(i + 2) % 3];
         const VertexId d = mesh.faces[g].v[neighbor_index(mesh.faces[g], f)];
-        Proposal change;
+        Change change;
         change.cavity = {f, g};
-        change.in.facets = {{a, b, d}, {d, c, a}};
+        change.facets = {{a, b, d}, {d, c, a}};
         const bool keeps = same_topology(mesh, changed_mesh(mesh, change));
         CHECK(bare.keeps_manifold(change) == keeps);
         ++(keeps ? allowed : refused);
@@ -162,12 +159,11 @@ TEST_CASE("flips pass the link condition exactly where the other diagonal is no 
 
 namespace {
 
-// Proposes a cone from p over the rim of the cavity: an insertion without its rules.
-Proposal& cone(Stage& stage, const std::vector<FaceId>& cavity, const Vec3& p) {
-  Proposal* proposal = stage.r.propose(cavity, kAnyFold);
-  REQUIRE(proposal);
-  proposal->cone(p);
-  return *proposal;
+// Proposes a cone from p over f: an insertion without its rules.
+Proposal cone(Stage& stage, FaceId f, const Vec3& p, const Gates& gates = kInsertionGates) {
+  const Cavity* cavity = stage.r.open({&f, 1});
+  REQUIRE(cavity);
+  return cavity->cone(p, gates);
 }
 
 }  // namespace
@@ -191,9 +187,9 @@ TEST_CASE("G1 passes boundary runs joined in another order, which change the top
                                 {9, 2, 8},
                                 {9, 8, 1}});
   Bare bare(mesh, scene, parameters);
-  Proposal change;
+  Change change;
   change.cavity = {FaceId(0), FaceId(1), FaceId(2), FaceId(3)};
-  change.in.facets = {{0, 1, 4}, {0, 4, 5}, {0, 5, 2}, {0, 2, 3}};
+  change.facets = {{0, 1, 4}, {0, 4, 5}, {0, 5, 2}, {0, 2, 3}};
   CHECK(bare.keeps_manifold(change));
   CHECK(kinds_of(mesh) == ComponentKinds{{-1, 3}});
   CHECK(kinds_of(changed_mesh(mesh, change)) == ComponentKinds{{-1, 1}});
@@ -211,37 +207,33 @@ TEST_CASE(
   // An insertion that would be done. It is at the end, too, when all else was refused.
   FaceId f = 0;
   while (!stage.surface_mesh.duals[f].on_surface) ++f;
-  const auto good = [&]() -> Proposal& {
-    return cone(stage, {f}, stage.surface_mesh.duals[f].center);
-  };
+  const auto good = [&] { return cone(stage, f, stage.surface_mesh.duals[f].center); };
 
   SUBCASE("what is to go is no disk") {
-    CHECK(!stage.r.propose(std::array{f, f}));
+    CHECK(!stage.r.open(std::array{f, f}));
     FaceId far = 0;
     while (far == f || has_corner(stage.mesh.faces[far].v, stage.mesh.faces[f].v[0]) ||
            has_corner(stage.mesh.faces[far].v, stage.mesh.faces[f].v[1]) ||
            has_corner(stage.mesh.faces[far].v, stage.mesh.faces[f].v[2])) {
       ++far;
     }
-    CHECK(!stage.r.propose(std::array{f, far}));
+    CHECK(!stage.r.open(std::array{f, far}));
   }
   SUBCASE("what comes is no disk over that rim") {
-    good().in.facets.pop_back();
-    CHECK(stage.r.replace() == Refusal::not_a_disk);
-    Triangle& first = good().in.facets[0];
-    std::swap(first[0], first[1]);
-    CHECK(stage.r.replace() == Refusal::not_a_disk);
-    std::vector<Triangle>& facets = good().in.facets;
-    facets.push_back(Triangle(facets[0]));
-    CHECK(stage.r.replace() == Refusal::not_a_disk);
-    facets.clear();
-    CHECK(stage.r.replace() == Refusal::not_a_disk);
+    const auto with = [&](auto&& change) {
+      Proposal bad = good();
+      change(bad.facets);
+      return stage.r.make(bad);
+    };
+    CHECK(with([](auto& facets) { facets.pop_back(); }) == Refusal::not_a_disk);
+    CHECK(with([](auto& facets) { std::swap(facets[0][0], facets[0][1]); }) == Refusal::not_a_disk);
+    CHECK(with([](auto& facets) { facets.push_back(Triangle(facets[0])); }) == Refusal::not_a_disk);
+    CHECK(with([](auto& facets) { facets.clear(); }) == Refusal::not_a_disk);
   }
   SUBCASE("an edge that is there, and a facet that is there, from behind") {
     // Two facets at a vertex of three others: the flip's diagonal is the third edge.
-    good();
-    REQUIRE_FALSE(stage.r.replace());
-    const std::vector<FaceId> created = stage.r.proposal.created;
+    REQUIRE_FALSE(stage.r.make(good()));
+    const std::vector<FaceId> created = stage.r.tried().created;
     const Stage::Snapshot with = stage.snapshot();
     const FaceId g = created[0], h = created[1];
     const Triangle t = stage.mesh.faces[g].v, s = stage.mesh.faces[h].v;
@@ -249,24 +241,19 @@ TEST_CASE(
     for (const VertexId v : t) a = has_corner(s, v) ? a : v;
     for (const VertexId v : s) d = has_corner(t, v) ? d : v;
     const int i = corner_index(stage.mesh.faces[g], a);
-    Proposal* flip = stage.r.propose(std::array{g, h}, kAnyFold);
-    REQUIRE(flip);
-    flip->facets(std::array<Triangle, 2>{{{a, t[(i + 1) % 3], d}, {d, t[(i + 2) % 3], a}}});
-    CHECK(stage.r.replace() == Refusal::not_a_disk);
+    const Change flip{.cavity = {g, h}, .facets = {{a, t[(i + 1) % 3], d}, {d, t[(i + 2) % 3], a}}};
+    CHECK(make(stage.r, flip) == Refusal::not_a_disk);
     CHECK(stage.snapshot() == with);
     // And back to the one facet that was there: a change of three for one.
-    Proposal* back = stage.r.propose(created, kAnyFold);
-    REQUIRE(back);
-    back->facets({&before.faces[f].v, 1});
     stage.r.parameters.refinement[Criterion::distance] = kNotAsked;  // the point may go
-    CHECK_FALSE(stage.r.replace());
+    CHECK_FALSE(make(stage.r, {.cavity = created, .facets = {before.faces[f].v}}));
     CHECK(stage.fault() == "");
     return;
   }
   SUBCASE("a facet without a surface point") {
     // Towards the middle of the hole in the torus no dual line meets the surface right.
-    good().place = stage.corner(f, 0) + 100 * stage.normal(f) / length(stage.normal(f));
-    CHECK(stage.r.replace() == Refusal::no_surface_point);
+    const Vec3 far = stage.corner(f, 0) + 100 * stage.normal(f) / length(stage.normal(f));
+    CHECK(stage.r.make(cone(stage, f, far)) == Refusal::no_surface_point);
   }
   SUBCASE("an edge too sharp") {
     // The same points pass where no angle is asked for.
@@ -276,9 +263,9 @@ TEST_CASE(
       for (const double height : {0.05, 0.1, 0.2, 0.4}) {
         const auto raised = [&](double least_cosine) {
           const Vec3 middle = (stage.corner(g, 0) + stage.corner(g, 1) + stage.corner(g, 2)) / 3.0;
-          cone(stage, {g}, middle + height * stage.longest_edge(g) * up).least_cosine =
-              least_cosine;
-          return stage.r.replace([] { return false; });
+          const Vec3 apex = middle + height * stage.longest_edge(g) * up;
+          return stage.r.make(cone(stage, g, apex, {.least_cosine = least_cosine}),
+                              [](const Replacement&) { return false; });
         };
         if (raised(0.9999) != Refusal::turned) continue;
         ++turned;
@@ -288,20 +275,18 @@ TEST_CASE(
     CHECK(turned > 20);
   }
   SUBCASE("the proposer does not want it") {
-    const Proposal& change = good();
     std::size_t asked = 0;
-    CHECK(stage.r.replace([&] {
+    CHECK(stage.r.make(good(), [&](const Replacement& change) {
       CHECK(change.duals.size() == asked++);                        // one more each time
       CHECK(stage.mesh.points.size() == before.points.size() + 1);  // in its place
-      CHECK(stage.mesh.points.back() == change.place);
+      CHECK(stage.mesh.points.back() == change.proposal.place);
       return !change.has_duals();
     }) == Refusal::no_gain);
     CHECK(asked == 4);
   }
   CHECK(stage.snapshot() == before);
 
-  good();
-  CHECK_FALSE(stage.r.replace());
+  CHECK_FALSE(stage.r.make(good()));
   CHECK(stage.r.created().size() == 3);
   CHECK(stage.fault() == "");
   CHECK(stage.fault_of(stage.r.created()) == "");
@@ -331,17 +316,16 @@ TEST_CASE(
     if (stage.surface_mesh.chain.is_boundary(v)) continue;
     const std::span<const FaceId> star = stage.r.star(f, v);
     for (const FaceId g : star) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
-    Proposal* proposal = stage.r.propose(star, kAnyFold);
-    REQUIRE(proposal);
     const Vec3 from = stage.mesh.points[v], up = stage.normal(f) / length(stage.normal(f));
     const Vec3 aside{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 0};
-    proposal->move(v, from + random.uniform(-2, 1) * up + aside);
-    TriMesh moved = changed_mesh(stage.mesh, *proposal);
-    moved.points[v] = proposal->place;
-    if (!scene.volume.box().contains(proposal->place)) continue;
+    const Vec3 to = from + random.uniform(-2, 1) * up + aside;
+    TriMesh moved = stage.mesh;
+    moved.points[v] = to;
+    if (!scene.volume.box().contains(to)) continue;
     const bool crosses = !crossing_in(moved).empty();
     const Stage::Snapshot before = stage.snapshot();
-    const auto refusal = stage.r.replace();
+    Change change{.cavity{star.begin(), star.end()}, .apex = to, .moved = v};
+    const auto refusal = make(stage.r, change);
     REQUIRE((refusal == Refusal::crossing) == crosses);
     ++(crosses ? crossing : done);
     if (refusal) {
@@ -350,12 +334,9 @@ TEST_CASE(
       continue;
     }
     REQUIRE(crossing_in(moved).empty());
-    const std::vector<FaceId> created = proposal->created;
-    for (const FaceId g : created) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
-    Proposal* back = stage.r.propose(created, kAnyFold);
-    REQUIRE(back);
-    back->move(v, from);
-    REQUIRE_FALSE(stage.r.replace());
+    for (const FaceId g : change.cavity) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
+    change.apex = from;
+    REQUIRE_FALSE(make(stage.r, change));
   }
   MESSAGE(crossing << " would have crossed, " << done << " did not");
   CHECK(crossing > 300);

@@ -242,7 +242,7 @@ TEST_CASE("every collapse removes one vertex of Stage 1 and keeps the mesh valid
                  for (const FaceId g : stage.r.created()) {
                    CHECK(ratio(p, stage.mesh.faces[g].v) <= 2.0001 * worst);
                  }
-                 for (const Triangle& t : stage.r.proposal.was.facets) {
+                 for (const Triangle& t : stage.r.tried().cavity.disk.facets) {
                    for (const VertexId v : t) {
                      CHECK(nearest_new_facet(stage, p[v]) <=
                            2 * stage.parameters.refinement[Criterion::distance]);
@@ -316,7 +316,7 @@ TEST_CASE(
            CHECK(violation(stage.r.shape(f), stage.r.parameters.refinement) <= 1);
            CHECK(stage.is_delaunay(f));
          }
-         const VertexId gone = removed_vertex(stage.r.proposal);
+         const VertexId gone = removed_vertex(stage.r.tried());
          CHECK(nearest_new_facet(stage, stage.mesh.points[gone]) <=
                stage.r.parameters.refinement[Criterion::distance]);
          const auto was_gone = [&](const auto& link) { return link.first == gone; };
@@ -332,18 +332,13 @@ TEST_CASE(
 
 namespace {
 
-// A proposal by hand near f: a cone over a random patch, a collapse, a move, a flip, another
+// A change by hand near f: a cone over a random patch, a collapse, a move, a flip, another
 // triangulation of a star.
-Proposal random_proposal(Stage& stage, FaceId f, Random& random) {
+Change random_change(Stage& stage, FaceId f, Random& random) {
   const TriMesh& mesh = stage.mesh;
-  Proposal made;
-  if (random.below(2) == 0) made.least_cosine = kSharpestFold;
+  Change made;
+  if (random.below(2) == 0) made.gates = Gates{};
   const std::uint32_t kind = random.below(5);
-  const auto boundary_of_cavity = [&] {
-    Disk patch;
-    for (const FaceId g : made.cavity) patch.facets.push_back(mesh.faces[g].v);
-    return patch.link() ? patch.boundary : std::vector<Disk::BoundaryEdge>{};
-  };
   const int i = static_cast<int>(random.below(3));
   const VertexId v = mesh.faces[f].v[i], w = mesh.faces[f].v[(i + 1) % 3];
   if (kind == 0) {  // a cone over a patch grown at random
@@ -353,12 +348,7 @@ Proposal random_proposal(Stage& stage, FaceId f, Random& random) {
       const FaceId g = mesh.faces[made.cavity[random.below(size)]].n[random.below(3)];
       if (g != kNoId && std::ranges::count(made.cavity, g) == 0) made.cavity.push_back(g);
     }
-    made.what = Proposal::Vertex::comes;
-    made.vertex = VertexId(mesh.points.size());
-    made.place = stage.point_near(f, random).value_or(stage.coarsened.samples[0]);
-    for (const Disk::BoundaryEdge& e : boundary_of_cavity()) {
-      made.in.facets.push_back({e.from, e.to, made.vertex});
-    }
+    made.apex = stage.point_near(f, random).value_or(stage.coarsened.samples[0]);
     return made;
   }
   facets_around(mesh, f, v, made.cavity);
@@ -367,23 +357,24 @@ Proposal random_proposal(Stage& stage, FaceId f, Random& random) {
       Triangle t = mesh.faces[g].v;
       if (has_corner(t, w)) continue;
       std::replace(t.begin(), t.end(), v, w);
-      made.in.facets.push_back(t);
+      made.facets.push_back(t);
     }
   } else if (kind == 2 && !stage.surface_mesh.chain.is_boundary(v)) {  // a move of v
-    for (const FaceId g : made.cavity) made.in.facets.push_back(mesh.faces[g].v);
-    made.what = Proposal::Vertex::moves;
-    made.vertex = v;
-    made.place = stage.point_near(f, random).value_or(mesh.points[v]);
+    made.moved = v;
+    made.apex = stage.point_near(f, random).value_or(mesh.points[v]);
   } else if (kind == 3) {  // the star triangulated from w
-    for (const Disk::BoundaryEdge& e : boundary_of_cavity()) {
-      if (e.from != w && e.to != w) made.in.facets.push_back({e.from, e.to, w});
+    Disk star;
+    for (const FaceId g : made.cavity) star.facets.push_back(mesh.faces[g].v);
+    REQUIRE(star.link());
+    for (const Disk::BoundaryEdge& e : star.boundary) {
+      if (e.from != w && e.to != w) made.facets.push_back({e.from, e.to, w});
     }
   } else {  // a flip
     made.cavity.assign(1, f);
     if (mesh.faces[f].n[i] == kNoId) return made;
     const Corners4 q = corners_at(mesh.faces, f, i);
     made.cavity.push_back(q.g);
-    made.in.facets = {{q.a, q.b, q.d}, {q.d, q.c, q.a}};
+    made.facets = {{q.a, q.b, q.d}, {q.d, q.c, q.a}};
   }
   return made;
 }
@@ -392,19 +383,18 @@ Proposal random_proposal(Stage& stage, FaceId f, Random& random) {
 
 // Boundary changes are the operations', with the chain.
 TEST_CASE("thousands of random changes: the mesh stays valid, and a refused one changes nothing") {
-  Proposal made;
+  Change made;
   const StormTally tally =
       run_storm({300, 350, [](int n) { return with_r_min(n % 3 == 0 ? 0.1 : 2.0); },
                  [&](Stage& stage, Try& now, Random& random) {
-                   made = random_proposal(stage, now.f, random);
+                   made = random_change(stage, now.f, random);
                    return true;
                  },
                  [&](Stage& stage, const Try&) -> std::optional<Refusal> {
                    const bool on_boundary = std::ranges::any_of(made.cavity, [&](FaceId f) {
                      return std::ranges::count(stage.mesh.faces[f].n, kNoId) > 0;
                    });
-                   if (!propose(stage.r, made)) return Refusal::not_a_disk;
-                   return stage.r.replace([&] { return !on_boundary; });
+                   return make(stage.r, made, [&](const Replacement&) { return !on_boundary; });
                  },
                  [](Stage&, const Try&) {}});
   MESSAGE(tally.done << " done, " << tally.refused << " refused");

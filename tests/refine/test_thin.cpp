@@ -48,7 +48,7 @@ TEST_CASE("only the vertices that were named are removed, and those inserted sin
   std::size_t of_named = 0, of_inserted = 0;
   for (Thinning thinning(stage.r, named); thinning.has_next();) {
     if (thinning.remove_next()) continue;
-    const VertexId gone = removed_vertex(stage.r.proposal);
+    const VertexId gone = removed_vertex(stage.r.tried());
     const bool is_named = std::ranges::find(named, gone) != named.end();
     REQUIRE((is_named || gone >= before));
     ++(is_named ? of_named : of_inserted);

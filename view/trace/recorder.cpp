@@ -47,13 +47,15 @@ void TraceRecorder::tell_question(const Question& question, Operation operation)
   if (dual.on_surface) event.ball = {dual.center, std::sqrt(dual.radius2)};
 }
 
-std::optional<Segment> TraceRecorder::culprit(const Proposal& c, Refusal refusal) const {
+std::optional<Segment> TraceRecorder::culprit(const Replacement& c, Refusal refusal) const {
   const TriMesh& mesh = mesh_->mesh;
+  const Proposal& proposal = c.proposal;
   const auto at = [&](VertexId v) {
-    return c.what != Proposal::Vertex::none && v == c.vertex ? c.place : mesh.points[v];
+    return proposal.what != Proposal::Vertex::none && v == proposal.vertex ? proposal.place
+                                                                           : mesh.points[v];
   };
   if (refusal == Refusal::no_surface_point && !c.duals.empty()) {
-    const Triangle& v = c.in.facets[c.duals.size() - 1];
+    const Triangle& v = c.in().facets[c.duals.size() - 1];
     const Vec3 p = at(v[0]), q = at(v[1]), r = at(v[2]);
     const FacetLine line = facet_line(p, q, r);
     const double longest = std::sqrt(std::max({distance2(p, q), distance2(q, r), distance2(r, p)}));
@@ -62,10 +64,10 @@ std::optional<Segment> TraceRecorder::culprit(const Proposal& c, Refusal refusal
   }
   if (refusal != Refusal::turned) return std::nullopt;
   // The new facets, then those around the cavity, which keep their places.
-  std::vector<Triangle> facets = c.in.facets;
-  for (const FaceId f : c.cavity) {
+  std::vector<Triangle> facets = c.in().facets;
+  for (const FaceId f : c.cavity.facets) {
     for (const FaceId g : mesh.faces[f].n) {
-      if (g != kNoId && std::ranges::find(c.cavity, g) == c.cavity.end()) {
+      if (g != kNoId && std::ranges::find(c.cavity.facets, g) == c.cavity.facets.end()) {
         facets.push_back(mesh.faces[g].v);
       }
     }
@@ -74,9 +76,9 @@ std::optional<Segment> TraceRecorder::culprit(const Proposal& c, Refusal refusal
     const Vec3 n = area_normal(at(v[0]), at(v[1]), at(v[2]));
     return n / length(n);
   };
-  double least = c.least_cosine;
+  double least = proposal.gates.least_cosine;
   std::optional<Segment> sharpest;
-  for (std::size_t f = 0; f < c.in.facets.size(); ++f) {
+  for (std::size_t f = 0; f < c.in().facets.size(); ++f) {
     for (std::size_t g = f + 1; g < facets.size(); ++g) {
       for (std::size_t side = 0; side < 3; ++side) {
         const VertexId a = facets[f][side], b = facets[f][(side + 1) % 3];
@@ -97,29 +99,33 @@ std::optional<Segment> TraceRecorder::culprit(const Proposal& c, Refusal refusal
 }
 
 void TraceRecorder::operation_tried(const Question& question, Operation operation,
-                                    const Proposal& proposal, std::optional<Refusal> refusal) {
+                                    const Replacement& replacement,
+                                    std::optional<Refusal> refusal) {
   if (!target().follows_mesh()) return;
   if (!target().is_full()) {
     tell_question(question, operation);
     TraceEvent& event = target().event();
+    const Proposal& proposal = replacement.proposal;
+    const std::vector<Triangle>& removed = replacement.cavity.disk.facets;
+    const std::vector<Triangle>& added = replacement.in().facets;
     const bool has_vertex = proposal.what != Proposal::Vertex::none;
     if (has_vertex) event.place = proposal.place;
-    event.edge = refusal ? culprit(proposal, *refusal) : std::nullopt;
+    event.edge = refusal ? culprit(replacement, *refusal) : std::nullopt;
     if (refusal) {
-      number_mesh(proposal.was.facets, kNoId, event.star);
-      number_mesh(proposal.in.facets, has_vertex ? proposal.vertex : kNoId, event.cone);
+      number_mesh(removed, kNoId, event.star);
+      number_mesh(added, has_vertex ? proposal.vertex : kNoId, event.cone);
     } else {
-      number_mesh(proposal.was.facets, kNoId, event.removed);
+      number_mesh(removed, kNoId, event.removed);
       if (has_vertex) {
         event.vertex = target().add_vertex(proposal.place);
         std::vector<VertexId>& numbers = target().of_mesh();
         numbers.resize(std::max<std::size_t>(numbers.size(), proposal.vertex + 1));
         numbers[proposal.vertex] = event.vertex;
       }
-      number_mesh(proposal.in.facets, kNoId, event.added);
+      number_mesh(added, kNoId, event.added);
     }
   }
-  if (!refusal) update_worst(proposal.cavity, proposal.created);
+  if (!refusal) update_worst(replacement.cavity.facets, replacement.created);
   record(refusal ? trace_code(*refusal) : trace_code(TraceOutcome::done));
 }
 

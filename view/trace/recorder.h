@@ -32,8 +32,8 @@ class TraceRecorder : public Observer, private Recording {
   // Stage 2: every operation with its cavity, the new facets, and the test that refused it. Nothing
   // is recorded after the mesh is finished.
   void mesh_handed_over(const SurfaceMesh& s) override;
-  void operation_tried(const Question& question, Operation operation, const Proposal& proposal,
-                       std::optional<Refusal> refusal) override;
+  void operation_tried(const Question& question, Operation operation,
+                       const Replacement& replacement, std::optional<Refusal> refusal) override;
   void mesh_finished() override { target().end_mesh(); }
 
  private:
@@ -44,7 +44,7 @@ class TraceRecorder : public Observer, private Recording {
   void tell_question(const Question& question, Operation operation);
   // What refused it, as a line: the dual line that misses Sigma, as far as a surface point may be,
   // or the edge that would be too sharp.
-  std::optional<Segment> culprit(const Proposal& proposal, Refusal refusal) const;
+  std::optional<Segment> culprit(const Replacement& replacement, Refusal refusal) const;
 
   Observer* also_;
   const SurfaceMesh* mesh_ = nullptr;  // of Stage 2

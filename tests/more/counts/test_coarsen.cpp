@@ -144,3 +144,20 @@ TEST_CASE("what lies in a plane goes first") {
   CHECK(used_vertices(stage.mesh) <= 16);
   for (const Vec3& p : scene.contour.points) REQUIRE(distance2_to_mesh(p, stage.mesh) < 1e-10);
 }
+
+// Gate G4 refuses merges that leave a vertex too far behind. Such a refusal once meant "costs more
+// than was known" to the loop, which tried the same merge for ever.
+TEST_CASE("coarsening with a bound on the distance ends, at a mesh that is finer than without it") {
+  const Scene scene = builtin_scene("fuel", 16);
+  const auto left = [&](double bound) {
+    Stage stage(scene, {}, true);
+    stage.r.parameters.refinement[Criterion::distance] = bound;
+    const std::size_t vertices = coarsen(stage.r, 0);
+    CHECK(stage.fault() == "");
+    CHECK((stage.report[Operation::collapse].refused[static_cast<std::size_t>(Refusal::uncovers)] >
+           0) == std::isfinite(bound));
+    return vertices;
+  };
+  const std::size_t with_no_bound = left(kNotAsked);
+  CHECK(left(0.2) > with_no_bound);
+}

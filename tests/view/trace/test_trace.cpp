@@ -322,9 +322,9 @@ TEST_CASE("the worst distance of the mesh after every event, by brute force") {
       TraceRecorder::mesh_handed_over(s);
       worst.push_back(largest());
     }
-    void operation_tried(const Question& question, Operation operation, const Proposal& proposal,
-                         std::optional<Refusal> refusal) override {
-      TraceRecorder::operation_tried(question, operation, proposal, refusal);
+    void operation_tried(const Question& question, Operation operation,
+                         const Replacement& replacement, std::optional<Refusal> refusal) override {
+      TraceRecorder::operation_tried(question, operation, replacement, refusal);
       worst.push_back(largest());
     }
     float largest() const {
