@@ -59,7 +59,7 @@ class Insertion {
         coarsened_(coarsened_contour(surface, parameters_)),
         curves_(surface, coarsened_.loops),
         mesh_(coarsened_.mesh.mesh),
-        refinement_(coarsened_.mesh, surface, curves_, parameters_, report_),
+        refinement_(coarsened_.mesh, {surface, curves_, parameters_, report_}),
         count_(count) {}
 
   void run() {

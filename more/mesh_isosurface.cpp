@@ -51,8 +51,8 @@ TriMesh finish(Block whole, const RunInput& run, const std::optional<Dissolved>&
   report.exact = joined(whole.components, run.source.shape.dims()).topology;
   count_unrefined(whole.mesh, parameters, report);
   if (options.has_target() && !options.stop_after_stage1) {
-    coarsen_to_target(whole.mesh, at->surface, {at->surface, whole.loops}, whole.samples, options,
-                      parameters, report);
+    coarsen_to_target(whole.mesh, whole.samples, options,
+                      {at->surface, {at->surface, whole.loops}, parameters, report});
   }
   report.vertices_refined = whole.mesh.mesh.points.size();
   report.triangles_refined = whole.mesh.mesh.faces.size();
@@ -60,7 +60,7 @@ TriMesh finish(Block whole, const RunInput& run, const std::optional<Dissolved>&
     begin_stage(parameters.observer, "cap");
     const std::array<bool, 8> inside =
         solid ? solid->corner_inside : corners_inside(at->volume, run.kappa);
-    close_on_box(whole.mesh, at->surface, {at->surface, whole.loops}, inside, parameters, report);
+    close_on_box(whole.mesh, inside, {at->surface, {at->surface, whole.loops}, parameters, report});
   }
   whole.mesh.mesh.frame = run.source.shape.frame();
   return std::move(whole.mesh.mesh);

@@ -31,6 +31,8 @@ struct Handed {
         coarsened(stage1()),
         curves(surface, coarsened.loops) {}
 
+  Given given() { return {surface, curves, parameters, report}; }
+
  private:
   Block stage1() const {
     const VolumeSource source = source_of(volume);
@@ -39,6 +41,7 @@ struct Handed {
     options.stop_after_stage1 = true;
     return mesh_in_blocks({source, kappa, options, parameters}, {}, {});
   }
+
 };
 
 }  // namespace deliso::guide

@@ -31,8 +31,7 @@ std::size_t coarsen(Refinement& r, std::size_t vertices,
 
 // Coarsens the mesh to the desired numbers of the options. Sets report.max_distance to
 // the distance of the sample that is furthest from the mesh then.
-void coarsen_to_target(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-                       std::span<const Vec3> samples, const Options& options,
-                       const Parameters& parameters, Report& report);
+void coarsen_to_target(SurfaceMesh& mesh, std::span<const Vec3> samples, const Options& options,
+                       const Given& given);
 
 }  // namespace deliso

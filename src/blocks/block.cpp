@@ -71,22 +71,22 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
   if (contour.points.empty()) return block;
 
   const BoxSurface at(volume, run.kappa);
-  block.loops =
-      std::make_shared<const BoundaryLoops>(boundary_loops(contour, at.volume.inner_faces()));
+  block.loops = std::make_shared<const BoundaryLoops>(std::move(contour.boundary.loops));
   const BoundaryCurves curves(at.surface, block.loops);
   const Box3 within = box_within_seams(at.volume);
   for (const Vec3& p : contour.points) {
     (within.contains(p) ? block.samples : block.samples_near_seams).push_back(p);
   }
+  const Given given{at.surface, curves, run.parameters, report};
   Observer* const observer = follower(run.parameters.observer);
   if (observer) observer->run_begins(run.parameters, report);
   block.mesh = contour_as_mesh(contour);
   contour = {};
   if (observer) observer->contour_ready(block.mesh);
-  coarsen(block.mesh, at.surface, curves, run.parameters, report);
+  coarsen(block.mesh, given);
   if (observer) observer->mesh_handed_over(block.mesh);
   if (!run.options.stop_after_stage1) {
-    refine(block.mesh, at.surface, curves, block.samples, run.parameters, report);
+    refine(block.mesh, block.samples, given);
     block.samples = {};
   }
   if (observer) observer->mesh_finished();
@@ -102,14 +102,15 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
 void coarsen_block(const BlockRun& run, Block& block) {
   if (block.mesh.mesh.faces.empty()) return;
   const BoxSurface at(run.source.read(block.box), run.kappa);
-  coarsen(block.mesh, at.surface, {at.surface, block.loops}, run.parameters, block.report);
+  const BoundaryCurves curves(at.surface, block.loops);
+  coarsen(block.mesh, {at.surface, curves, run.parameters, block.report});
 }
 
 void refine_block(const BlockRun& run, Block& block) {
   if (block.mesh.mesh.faces.empty()) return;
   const BoxSurface at(run.source.read(block.box), run.kappa);
-  refine(block.mesh, at.surface, {at.surface, block.loops}, block.samples, run.parameters,
-         block.report);
+  const BoundaryCurves curves(at.surface, block.loops);
+  refine(block.mesh, block.samples, {at.surface, curves, run.parameters, block.report});
 }
 
 bool is_on_seam(const Block& block, VertexId v) {

@@ -25,10 +25,10 @@ struct Coarse {
   explicit Coarse(Scene& scene, const Options& options = {})
       : parameters(resolve(options, scene.volume)),
         loops(std::make_shared<BoundaryLoops>()),
-        curves((embed(scene), *loops = boundary_loops(scene.contour),
+        curves((embed(scene), *loops = scene.contour.boundary.loops,
                 BoundaryCurves(scene.surface, loops))),
         mesh(contour_as_mesh(scene.contour)) {
-    coarsen(mesh, scene.surface, curves, parameters, report);
+    coarsen(mesh, {scene.surface, curves, parameters, report});
   }
 
   static void embed(Scene& scene) {
@@ -148,8 +148,8 @@ TEST_CASE("what is not in the scope stays, and a change is told") {
   scope.free_box.lo.x = middle;
   for (VertexId v = 0; v < some.mesh.points.size(); ++v) scope.first.push_back(v);
   const SurfaceMesh before = some;
-  const auto changed = coarsen(some, scene.surface, all.curves, all.parameters,
-                               coarsening_bound(all.parameters), scope, report);
+  const auto changed = coarsen(some, {scene.surface, all.curves, all.parameters, report},
+                               coarsening_bound(all.parameters), scope);
   std::size_t live = 0;
   for (FaceId f = 0; f < some.mesh.faces.size(); ++f) {
     const Face &now = some.mesh.faces[f], &was = before.mesh.faces[f];

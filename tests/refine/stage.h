@@ -63,8 +63,8 @@ inline int turned_out(const TriMesh& mesh) {
     const Vec3 origin = mesh.points[mesh.faces[start].v[0]];
     for (std::size_t k = 0; k < component.size(); ++k) {
       const Face& face = mesh.faces[component[k]];
-      const auto at = [&](std::size_t i) { return mesh.points[face.v[i]] - origin; };
-      volume += dot(at(0), cross(at(1), at(2)));
+      const auto& [a, b, c] = face.v;
+      volume += sixfold_volume(origin, mesh.points[a], mesh.points[b], mesh.points[c]);
       for (const FaceId g : face.n) {
         closed &= g != kNoId;
         if (g == kNoId || seen[g]) continue;
@@ -165,7 +165,7 @@ class Stage {
         curves(of.surface, coarsened.loops),
         surface_mesh(coarsened.mesh),
         mesh(refined ? refined_mesh() : surface_mesh.mesh),
-        r(surface_mesh, of.surface, curves, parameters, report),
+        r(surface_mesh, {of.surface, curves, parameters, report}),
         kinds_(kinds_of(mesh)),
         turned_out_(turned_out(mesh)) {
     const ValueRange range = value_range(scene.volume);
@@ -310,7 +310,7 @@ class Stage {
 
  private:
   const TriMesh& refined_mesh() {
-    refine(surface_mesh, scene.surface, curves, coarsened.samples, parameters, report);
+    refine(surface_mesh, coarsened.samples, {scene.surface, curves, parameters, report});
     return surface_mesh.mesh;
   }
 
