@@ -7,8 +7,8 @@
 
 namespace deliso {
 
-// Returns T, with its vertices and triangles in their order. It has no duals yet. Its chain has all
-// points of T's loops.
+// Returns T, with its vertices and triangles in their order: vertex n of the mesh is vertex n of T.
+// It has no duals yet. Its chain has all points of T's loops.
 SurfaceMesh contour_as_mesh(const ContourMesh& contour);
 
 }  // namespace deliso

@@ -88,18 +88,21 @@ std::vector<std::uint8_t> chosen_components(const ContourSummary& summary,
 // block, its arcs on inner faces (Volume::inner_faces), are fixed.
 struct ContourBoundary {
   BoundaryLoops loops;
-  std::vector<std::vector<VertexId>> vertices;  // per loop: those at its points
+  std::vector<std::vector<ContourId>> vertices;  // per loop: those at its points
   std::vector<std::uint32_t> component;         // per loop
 
   std::size_t size() const { return component.size(); }
   friend bool operator==(const ContourBoundary&, const ContourBoundary&) = default;
 };
 
+// Corners of a triangle of T.
+using ContourTriangle = std::array<ContourId, 3>;
+
 struct ContourMesh {
-  std::vector<Vec3> points;
-  std::vector<std::uint32_t> component;  // per vertex, index into summary.components
-  std::vector<std::uint8_t> box_faces;   // per vertex, bit f: on box face f; two bits on a box edge
-  std::vector<std::array<VertexId, 3>> triangles;
+  IdArray<ContourId, Vec3> points;
+  IdArray<ContourId, std::uint32_t> component;  // index into summary.components
+  IdArray<ContourId, std::uint8_t> box_faces;   // bit f: on box face f; two bits on a box edge
+  std::vector<ContourTriangle> triangles;
   ContourBoundary boundary;
   ContourSummary summary;
   std::uint64_t split_voxels = 0;    // voxels that were split
@@ -112,7 +115,7 @@ struct ContourMesh {
   };
   std::vector<VoxelTriangles> crowded;
 
-  bool on_boundary(VertexId v) const { return box_faces[v] != 0; }
+  bool on_boundary(ContourId v) const { return box_faces[v] != 0; }
 };
 
 // Returns T, from one pass over the samples. T is empty if the volume has no voxels (a dimension of

@@ -49,7 +49,7 @@ void make_seams_plain(ContourMesh& contour, const Volume& block) {
         contour.triangles.push_back({vertex(m + 1), vertex(m), from});
       }
     }
-    for (const VertexId v : lifted) {
+    for (const ContourId v : lifted) {
       contour.points[v] = contour.points[v] + off * inwards(contour.box_faces[v]);
       contour.box_faces[v] = 0;
     }

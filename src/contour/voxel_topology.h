@@ -2,9 +2,29 @@
 // The topology of Sigma inside one voxel: the loops in which it meets the voxel's surface, and the
 // two of them, if any, that bound one tube. All other loops bound disks.
 //
-// Numbering. Corner m is at (m & 1, m >> 1 & 1, m >> 2). Edges 0-3 run along x, at (y, z) = (e & 1,
+// Numbering. At a corner stands its number, in the middle of an edge the edge's.
+//
+//        6-------3-------7
+//       /|              /|
+//      6 |             7 |
+//     /  10           /  11        z
+//    4-------2-------5   |         |  y
+//    |   |           |   |         | /
+//    |   2-------1---|---3         |/
+//    8  /            9  /          +---- x
+//    | 4             | 5
+//    |/              |/
+//    0-------0-------1
+//
+//    face     0         1         2         3          4         5
+//    at       x = 0     x = 1     y = 0     y = 1      z = 0     z = 1
+//    corners  0 4 6 2   1 3 7 5   0 1 5 4   2 6 7 3    0 2 3 1   4 5 7 6
+//    edges    8 6 10 4  5 11 7 9  0 9 2 8   10 3 11 1  4 1 5 0   2 7 3 6
+//
+// Corner m is at (m & 1, m >> 1 & 1, m >> 2). Edges 0-3 run along x, at (y, z) = (e & 1,
 // e >> 1 & 1); edges 4-7 along y, at (x, z); edges 8-11 along z, at (x, y). Faces are 2 * axis +
-// side. A mask has bit m set if corner m is inside (value - kappa >= 0).
+// side. Seen from outside, the corners around a face are counter-clockwise, and each edge follows
+// its first corner. A mask has bit m set if corner m is inside (value - kappa >= 0).
 //
 // The faces. Two crossings are joined. Of four, the sign of the bilinear saddle decides. The two
 // inside corners are joined exactly if the saddle's value is >= kappa: the product of the inside
