@@ -17,9 +17,9 @@
 #include "base/stopwatch.h"
 #include "check/close_places.h"
 #include "check/place_faults.h"
+#include "check/quality.h"
 #include "check/verify.h"
 #include "io/mesh/write_mesh.h"
-#include "mesh/quality.h"
 #include "paper/report.h"
 #include "run/report.h"
 

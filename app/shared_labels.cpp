@@ -17,10 +17,10 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "check/place_faults.h"
+#include "check/quality.h"
 #include "io/files/append_format.h"
 #include "io/files/input_file.h"
 #include "io/mesh/write_mesh.h"
-#include "mesh/quality.h"
 #include "more/bodies/bodies.h"
 #include "more/mesh_isosurface.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/report_writer.h"
-#include "mesh/quality.h"
+#include "check/quality.h"
 #include "volume/volume.h"
 
 namespace deliso {

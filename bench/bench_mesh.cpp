@@ -16,10 +16,10 @@
 #include "base/check.h"
 #include "base/random.h"
 #include "base/triangle.h"
+#include "check/check_mesh.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
-#include "mesh/check_mesh.h"
 #include "refine/operations.h"
 #include "run/options.h"
 

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "base/text.h"
+#include "check/quality.h"
 #include "delaunay/predicates.h"
-#include "mesh/quality.h"
 
 namespace deliso {
 namespace {

@@ -29,8 +29,8 @@
 #include "check/distances.h"
 #include "check/faults.h"
 #include "check/mesh_triangulation.h"
+#include "check/quality.h"
 #include "contour/contour.h"
-#include "mesh/quality.h"
 #include "mesh/tri_mesh.h"
 #include "volume/volume.h"
 

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "deliso/base/check.h"
+#include "deliso/check/quality.h"
 #include "deliso/io/mesh/write_mesh.h"
-#include "deliso/mesh/quality.h"
 #include "deliso/more/mesh_isosurface.h"
 #include "deliso/volume/volume.h"
 

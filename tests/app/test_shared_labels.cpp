@@ -16,9 +16,9 @@
 #include "base/random.h"
 #include "base/text.h"
 #include "cases.h"
+#include "check/quality.h"
 #include "io/files/temporary_folder.h"
 #include "io/mesh/read_mesh.h"
-#include "mesh/quality.h"
 #include "stress/shared_file.h"
 #include "volume/sampled.h"
 

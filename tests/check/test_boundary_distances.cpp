@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "check/quality.h"
 #include "fields.h"
-#include "mesh/quality.h"
 #include "more/mesh_isosurface.h"
 #include "volume/sampled.h"
 

@@ -9,7 +9,7 @@ set -eu
 cd "$1"
 
 allowed="
-src/mesh/quality.cpp: atan2
+check/quality.cpp: atan2
 io/volume/sample_grid.cpp: acos
 io/volume/upright_volume.cpp: acos
 view/render/camera.cpp: cos sin

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "base/random.h"
+#include "check/quality.h"
 #include "check/verify.h"
-#include "mesh/quality.h"
 #include "mesh/tri_mesh.h"
 #include "stress/option_volume.h"
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <string>
 
+#include "check/check_mesh.h"
 #include "check/verify.h"
 #include "deliso/deliso.h"
-#include "mesh/check_mesh.h"
 #include "mesh/component_kinds.h"
 
 namespace deliso::stress {

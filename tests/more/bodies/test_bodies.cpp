@@ -8,9 +8,9 @@
 #include <numbers>
 #include <vector>
 
+#include "check/check_mesh.h"
 #include "check/place_faults.h"
-#include "mesh/check_mesh.h"
-#include "mesh/quality.h"
+#include "check/quality.h"
 
 using namespace deliso;
 

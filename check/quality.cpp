@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/quality.h"
+#include "check/quality.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "check/quality.h"
 #include "mesh/meshes.h"
-#include "mesh/quality.h"
 
 using namespace deliso;
 using namespace deliso::test;
