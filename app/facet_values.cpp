@@ -7,10 +7,10 @@
 #include <numeric>
 
 #include "base/triangle.h"
+#include "check/check_mesh.h"
 #include "check/distances.h"
 #include "contour/contour.h"
 #include "isosurface/isosurface.h"
-#include "mesh/check_mesh.h"
 
 namespace deliso {
 namespace {

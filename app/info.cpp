@@ -25,8 +25,7 @@ constexpr double kCrossings = 1 << 22;
 Suggestion suggestion_of(const Threshold& threshold, const Volume& volume,
                          const CommandLine& line) {
   const SurfaceEstimate surface = estimate_surface(volume, threshold.isovalue);
-  Suggestion s{threshold, expected_vertices(surface, volume, line.options), {}, std::nullopt};
-  s.cost = expected_cost(surface, s.vertices, volume, line.options, false);
+  Suggestion s{threshold, expected_vertices(surface, volume, line.options), std::nullopt};
   if (volume.sample_count() <= kSamples && surface.crossings <= kCrossings) {
     s.components = summarize_contour(volume, threshold.isovalue).components.size();
   }
@@ -62,7 +61,6 @@ std::string size_text(const Suggestion& s) {
   const double about = std::round(s.vertices / digit) * digit;
   std::string text = "about " + grouped(static_cast<std::uint64_t>(about)) + " vertices";
   if (s.components) text += ", " + counted(*s.components, "component");
-  if (s.cost.is_long()) text += ", " + cost_text(s.cost.seconds, s.cost.bytes);
   return text;
 }
 
@@ -153,10 +151,6 @@ void add_info(ReportWriter& out, const Info& info) {
                     out.add("mean_above", s.threshold.mean_above, "of the class above");
                     out.add("expected_vertices", static_cast<std::uint64_t>(std::round(s.vertices)),
                             "of a mesh by the options given");
-                    out.add("expected_seconds", s.cost.seconds,
-                            "of wall clock for that run, within a factor of 2 on a usual machine");
-                    out.add("expected_bytes", static_cast<std::uint64_t>(std::round(s.cost.bytes)),
-                            "of memory, with the pages of a mapped file");
                     out.optional(s.components.has_value())
                         .add("components", s.components.value_or(0),
                              "of the exact surface; left out where the volume is large");

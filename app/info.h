@@ -21,7 +21,6 @@ namespace deliso {
 struct Suggestion {
   Threshold threshold;
   double vertices = 0;                      // expected for a mesh with the options
-  ExpectedCost cost;                        // of that mesh
   std::optional<std::uint64_t> components;  // of the exact surface, if they are quickly counted
 };
 

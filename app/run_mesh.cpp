@@ -25,13 +25,13 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "check/check_mesh.h"
 #include "check/distances.h"
 #include "check/quality.h"
 #include "check/verify.h"
 #include "io/files/input_file.h"
 #include "io/mesh/write_mesh.h"
 #include "isosurface/isosurface.h"
-#include "mesh/check_mesh.h"
 #include "more/counts/expected_vertices.h"
 #include "more/mesh_isosurface.h"
 
@@ -53,12 +53,11 @@ void require_isovalue_in_range(double isovalue, const ValueRange& range) {
 
 // Warns in one line before a run that may need much time and memory. Throws an InputError before an
 // impossible one.
-void warn_of_size(double vertices, const ExpectedCost& cost, const Warn& warn) {
-  if (vertices <= kManyVertices && !cost.is_long()) return;
-  const std::string words = text("about ", about(vertices / 1e6), " million vertices, ",
-                                 cost_text(cost.seconds, cost.bytes),
-                                 " are to be expected; a larger --max-distance or --rmin, or "
-                                 "--vertices N, gives fewer");
+void warn_of_size(double vertices, const Warn& warn) {
+  if (vertices <= kManyVertices) return;
+  const std::string words = text("about ", grouped(static_cast<std::uint64_t>(vertices / 1e6)),
+                                 " million vertices are to be expected; a larger --max-distance or "
+                                 "--rmin, or --vertices N, gives fewer");
   if (vertices > kMaxVertices) throw InputError("too large: ", words);
   warn(words);
 }
@@ -176,9 +175,7 @@ TriMesh make_mesh(MeshRun& run, Progress& progress, const Warn& warn) {
   const double isovalue = *run.input.isovalue;
   if (!line.allow_empty) require_isovalue_in_range(isovalue, *run.input.range);
   require_limits(line.options, volume);
-  const SurfaceEstimate surface = estimate_surface(volume, isovalue);
-  const double vertices = expected_vertices(surface, volume, line.options);
-  warn_of_size(vertices, expected_cost(surface, vertices, volume, line.options, line.check), warn);
+  warn_of_size(expected_vertices(volume, isovalue, line.options), warn);
 
   if (line.paper) {
     PublishedProgress shown(progress);

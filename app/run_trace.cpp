@@ -14,7 +14,7 @@
 #include "app/trace_page.h"
 #include "base/check.h"
 #include "base/text.h"
-#include "mesh/check_mesh.h"
+#include "check/check_mesh.h"
 #include "more/mesh_isosurface.h"
 #include "view/trace/record_paper.h"
 #include "view/trace/recorder.h"

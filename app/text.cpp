@@ -23,10 +23,6 @@ std::string fixed(double value, int decimals) {
   return digits;
 }
 
-std::string about(double value) {
-  return value < 10 ? rounded(value, 2) : grouped(static_cast<std::uint64_t>(std::round(value)));
-}
-
 std::string grouped(std::uint64_t n) {
   std::string digits = std::to_string(n);
   for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ',');
@@ -42,15 +38,6 @@ std::string isovalue_text(double isovalue, double effective) {
   const bool by_saddles = isovalue - std::floor(isovalue) == 0.5;
   if (effective == isovalue || by_saddles) return text(isovalue);
   return text(isovalue, ", lowered to ", effective, " as samples may equal it");
-}
-
-std::string cost_text(double seconds, double bytes) {
-  const double minutes = seconds / 60, hours = minutes / 60, mebibytes = bytes / (1 << 20);
-  return text(minutes < 2 ? about(seconds) + " seconds"
-              : hours < 2 ? about(minutes) + " minutes"
-                          : about(hours) + " hours",
-              " and ",
-              mebibytes < 1000 ? about(mebibytes) + " MiB" : about(mebibytes / 1024) + " GiB");
 }
 
 std::string counted(std::uint64_t n, std::string_view one, std::string_view many) {

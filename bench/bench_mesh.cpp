@@ -17,9 +17,9 @@
 #include "base/random.h"
 #include "base/triangle.h"
 #include "blocks/mesh_in_blocks.h"
+#include "check/check_mesh.h"
 #include "contour/contour.h"
 #include "io/volume/builtin_volume.h"
-#include "mesh/check_mesh.h"
 #include "refine/operations.h"
 #include "run/options.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "base/stopwatch.h"
-#include "mesh/check_mesh.h"
+#include "check/check_mesh.h"
 #include "support/insertion_cost.h"
 #include "support/runs.h"
 

@@ -18,6 +18,18 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// Returns the uses of the edges whose first use is at begin to end - 1: so runs of all uses become
+// runs of whole edges.
+std::span<const EdgeUse> edges_within(std::span<const EdgeUse> uses, std::size_t begin,
+                                      std::size_t end) {
+  const auto first_of_edge = [&](std::size_t n) {
+    while (n > 0 && n < uses.size() && is_same_edge(uses[n - 1], uses[n])) ++n;
+    return n;
+  };
+  begin = first_of_edge(begin);
+  return uses.subspan(begin, first_of_edge(end) - begin);
+}
+
 constexpr std::size_t kTrianglesAtOnce = 1u << 10, kUsesAtOnce = 1u << 11;
 
 // Summarizes distances in their order. Infinite ones belong to points without Sigma, negative ones

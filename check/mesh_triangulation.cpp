@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "check/triangle_lists.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi.h"
-#include "mesh/incidence.h"
 
 namespace deliso {
 namespace {

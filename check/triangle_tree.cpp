@@ -24,6 +24,12 @@ constexpr double kCellMargins = 10;  // side of a cell of points, in margins
 // Bound on the points looked at for triangles. Each is looked at about thirty times.
 constexpr std::size_t kMaxLooksPerTask = 1u << 23;
 
+// Returns the squared distance from p to the box; 0 inside.
+double distance2_to(const Box3& box, const Vec3& p) {
+  return length2(p - Vec3{std::clamp(p.x, box.lo.x, box.hi.x), std::clamp(p.y, box.lo.y, box.hi.y),
+                          std::clamp(p.z, box.lo.z, box.hi.z)});
+}
+
 }  // namespace
 
 // Moved as a whole, since looking it up by its id waits for memory.

@@ -8,6 +8,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/text.h"
+#include "check/triangle_lists.h"
 #include "delaunay/predicates.h"
 #include "mesh/first_at_place.h"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/box3.h"
+#include "check/check_mesh.h"
 #include "check/faults.h"
-#include "mesh/check_mesh.h"
 #include "mesh/incidence.h"
 #include "mesh/tri_mesh.h"
 

@@ -264,8 +264,9 @@ void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<Triangl
   }
 }
 
-// Returns the vertices of T on the components that the mesh is to have. `off`: bounds on the
-// triangles' distances from Sigma.
+// Compares the mesh's components and their topology with T's, and tells `result`. Returns the
+// vertices of T on the components that the mesh is to have. `off`: bounds on the triangles'
+// distances from Sigma.
 std::vector<Vec3> compare_topology(const CleanMesh& mesh, const TriangleTree& tree,
                                    const std::vector<TriangleDistances>& off,
                                    const Isosurface& surface, const VerifyOptions& options,

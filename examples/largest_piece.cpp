@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "deliso/base/check.h"
+#include "deliso/check/check_mesh.h"
 #include "deliso/check/quality.h"
 #include "deliso/io/mesh/read_mesh.h"
 #include "deliso/io/mesh/write_mesh.h"
-#include "deliso/mesh/check_mesh.h"
 
 namespace {
 

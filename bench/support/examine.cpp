@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "check/check_mesh.h"
 #include "isosurface/isosurface.h"
-#include "mesh/check_mesh.h"
 #include "run/criteria.h"
 #include "surface/surface_point.h"
 

@@ -133,7 +133,8 @@ void draw_star(Drawing& out, const Vec2& center, std::span<const double> degrees
   out.dot(center, ink::kOrange, 6);
   out.text(center + Vec2{0, 21}, "q", Anchor::middle, 14, ink::kText, true);
   const Star star = classify_star(0, triangles);
-  out.text({center.x, 26}, name_of(star), Anchor::middle, 13,
+  constexpr const char* kNames[] = {"empty", "disk", "half disk", "singular"};
+  out.text({center.x, 26}, kNames[static_cast<std::size_t>(star)], Anchor::middle, 13,
            star == Star::singular || star == Star::empty ? ink::kRed : ink::kText, true);
   out.text({center.x, 232}, subtitle, Anchor::middle);
 }

@@ -10,11 +10,11 @@
 #include "base/check.h"
 #include "base/text.h"
 #include "base/version.h"
+#include "check/check_mesh.h"
 #include "io/files/checksum.h"
 #include "io/files/input_file.h"
 #include "io/files/text_scan.h"
 #include "io/parts/part_archive.h"
-#include "mesh/check_mesh.h"
 
 namespace deliso {
 namespace {

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/sorted_list.h"
+#include "check/check_mesh.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi.h"
 #include "embedding/box_grid.h"
-#include "mesh/check_mesh.h"
 
 namespace deliso {
 namespace {
@@ -74,18 +74,21 @@ class Builder {
         grid_(partition.volume().box(), voxel_) {}
 
   InterfaceMesh run(std::span<const InterfaceSeed> seeds) {
-    sample(seeds);
+    sample_ties(seeds);
     for (int round = 0; round < kMostRounds; ++round) {
       label_cells();
       find_facets();
-      if (add(candidates()) == 0) break;
+      const std::vector<std::uint8_t> is_faulty = measure_bodies();
+      const std::vector<double> away = distances();
+      mesh_.largest_distance = away.empty() ? 0 : *std::ranges::max_element(away);
+      if (add_points(candidates(is_faulty, away)) == 0) break;
     }
-    return finished();
+    return take_mesh();
   }
 
  private:
-  // Returns whether p was taken: no point is nearer than `apart`.
-  bool take(const Vec3& p, double apart) {
+  // Adds p unless a point is nearer than `apart`. Returns whether it did.
+  bool add_point(const Vec3& p, double apart) {
     const auto is_near = [&](VertexId v, const BoxGrid::Box&) {
       return distance2(points_[v], p) < apart * apart;
     };
@@ -96,7 +99,7 @@ class Builder {
   }
 
   // Samples where four, three and two bodies meet near seeds, in this order.
-  void sample(std::span<const InterfaceSeed> seeds) {
+  void sample_ties(std::span<const InterfaceSeed> seeds) {
     for (std::size_t ties = 4; ties >= 2; --ties) {
       const double apart = ties == 4 ? kAtCorner : ties == 3 ? kAtCurve : kAtSheet;
       for (const InterfaceSeed& seed : seeds) {
@@ -109,7 +112,7 @@ class Builder {
           if (p) best = partition_.rank(*p);
         }
         if (p && best.count >= ties && best.value[0] - best.value[ties - 1] < 1e-3) {
-          take(*p, apart * seed.spacing);
+          add_point(*p, apart * seed.spacing);
         }
       }
     }
@@ -165,8 +168,9 @@ class Builder {
     return b;
   }
 
-  // Marks vertices at which a body is no manifold.
-  std::vector<std::uint8_t> faulty_vertices() {
+  // Sets the topology of each body, and whether it is a manifold. Returns per vertex whether a body
+  // is no manifold there.
+  std::vector<std::uint8_t> measure_bodies() {
     std::vector<std::uint8_t> faulty(cells_.vertex_capacity());
     mesh_.topology.assign(partition_.size(), {});
     mesh_.is_manifold.assign(partition_.size(), 1);
@@ -198,45 +202,50 @@ class Builder {
     return faulty;
   }
 
-  // Returns the surface centers of facets that are too far from their interface, or at a faulty
-  // vertex. No point is nearer to such a center than the facet's corners.
-  std::vector<Candidate> candidates() {
-    const std::vector<std::uint8_t> faulty = faulty_vertices();
-    std::vector<Candidate> found;
-    mesh_.largest_distance = 0;
-    for (std::size_t f = 0; f < facets_.size(); ++f) {
-      const auto& [v, bodies] = facets_[f];
-      const Vec3 &a = sites_[v[0]], &b = sites_[v[1]], &c = sites_[v[2]];
-      double away = 0;
+  // Returns the distance of each facet from its interface.
+  std::vector<double> distances() const {
+    std::vector<double> away;
+    for (const auto& [v, bodies] : facets_) {
+      double& largest = away.emplace_back(0);
       for (const auto& [x, y, z] : kLooks) {
-        const Vec3 p = x * a + y * b + z * c;
-        away = std::max(away, partition_.distance_to_tie(p, bodies[0], bodies[1]));
+        const Vec3 p = x * sites_[v[0]] + y * sites_[v[1]] + z * sites_[v[2]];
+        largest = std::max(largest, partition_.distance_to_tie(p, bodies[0], bodies[1]));
       }
-      mesh_.largest_distance = std::max(mesh_.largest_distance, away);
-      const bool is_faulty = faulty[v[0]] || faulty[v[1]] || faulty[v[2]];
-      if (!is_faulty && away <= max_distance_) continue;
+    }
+    return away;
+  }
+
+  // Returns the surface centers of facets that are too far `away` from their interface, or at a
+  // faulty vertex. No point is nearer to such a center than the facet's corners.
+  std::vector<Candidate> candidates(const std::vector<std::uint8_t>& is_faulty,
+                                    const std::vector<double>& away) const {
+    std::vector<Candidate> found;
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      const Triangle& v = facets_[f].v;
+      const bool at_fault = is_faulty[v[0]] || is_faulty[v[1]] || is_faulty[v[2]];
+      if (!at_fault && away[f] <= max_distance_) continue;
       const Vec3 p = surface_center(f);
-      const double radius = distance(p, a);
-      found.push_back({is_faulty ? kFaulty + radius : away, p,
+      const double radius = distance(p, sites_[v[0]]);
+      found.push_back({at_fault ? kFaulty + radius : away[f], p,
                        std::max(kApart * radius, kApartVoxels * voxel_)});
     }
     return found;
   }
 
   // Adds the candidates that are not too near others, the most urgent first. Returns how many.
-  std::size_t add(std::vector<Candidate> candidates) {
+  std::size_t add_points(std::vector<Candidate> candidates) {
     std::ranges::stable_sort(candidates, std::ranges::greater{}, &Candidate::urgency);
     std::size_t added = 0;
     for (const Candidate& c : candidates) {
-      if (!take(c.p, c.apart)) continue;
+      if (!add_point(c.p, c.apart)) continue;
       cells_.insert(c.p);
       ++added;
     }
     return added;
   }
 
-  // Leaves out the points that no facet uses.
-  InterfaceMesh finished() {
+  // Moves the mesh out, without the points that no facet uses.
+  InterfaceMesh take_mesh() {
     std::vector<Triangle> all;
     for (const InterfaceFacet& f : facets_) all.push_back(f.v);
     std::vector<VertexId> used;

@@ -7,18 +7,18 @@
 #include <cstdint>
 #include <optional>
 
+#include "coarsen/coarsen.h"
+
 namespace deliso {
 namespace {
 
 constexpr std::size_t kSamplesCounted = std::size_t{1} << 20;
 
-// Vertices per voxel squared of surface. One number is for Stage 1, and one for what its topology
-// and shape leave of it when vertices that are not needed are gone. Two are added for bounds of one
-// voxel on h, and of 1 on h/r. They grow as the bound shrinks. The
-// last is for a mesh whose facets all have a circumradius of one voxel. Fitted to the built-in
-// fields, whose densities differ by factors, and to scanned volumes.
-constexpr double kRecoverDensity = 0.03, kBaseDensity = 0.007;
-constexpr double kDistanceDensity = 0.027, kHeightDensity = 0.005;
+// Vertices per voxel squared of surface. The first number is what topology and shape need. Two are
+// added for bounds of one voxel on h, and of 1 on h/r. They grow as the bound shrinks. The last is
+// for a mesh whose facets all have a circumradius of one voxel. Fitted to the built-in fields,
+// whose densities differ by factors, and to scanned volumes.
+constexpr double kBaseDensity = 0.007, kDistanceDensity = 0.027, kHeightDensity = 0.005;
 constexpr double kRadiusDensity = 0.67;
 // Vertices per voxel of r_min at creases of the interpolant, between voxels. There h/r does not
 // fall with r, so refinement goes down to r_min.
@@ -26,33 +26,26 @@ constexpr double kCreaseDensity = 0.03;
 
 // Where sheets are a sample thick, the surface bends at every voxel: more of it is out of the
 // bound, and topology alone needs more. Fitted to four noisy fields and ten clean ones.
-constexpr double kThinRecover = 11.5, kThinBase = 6, kThinDistance = 0.2;
-
-// Seconds of one core of 3 GHz, and bytes. Fitted to ten scans and fields of 1,000 to 800,000
-// vertices, of which noise takes twice the time and half as much memory again. FUEL, TOOTH, ENGINE
-// and BABY at info's isovalues, with and without a check, took 0.7 to 2.2 times the seconds and
-// 0.7 to 1.2 times the bytes (2026-11-26).
-constexpr double kVertexSeconds = 22e-6, kCrossingSeconds = 3e-6, kSampleSeconds = 10e-9;
-constexpr double kCheckShare = 0.8;    // of the time for the mesh
-constexpr double kSerialShare = 0.07;  // of the time: two threads are 1.87 times as fast as one
-constexpr double kVertexBytes = 500, kCheckBytes = 800, kProgramBytes = 7e6;
-// Vertices for each one that --vertices leaves.
-constexpr double kCoarsened = 4;
+constexpr double kThinBase = 6, kThinDistance = 0.2;
 
 double density(const Options& options, const Volume& volume, double thin) {
   const double voxel = volume.voxel(), bent = thin * std::sqrt(thin);
-  if (options.stop_after_stage1) return kRecoverDensity + kThinRecover * bent;
   const double base = kBaseDensity + kThinBase * bent;
   const auto length = [&](Criterion c) { return options.limits[c].in(volume) / voxel; };
   const auto squared = [](double x) { return x * x; };
+  const auto for_distance = [&](double d) {
+    return kDistanceDensity / d + kThinDistance * bent / squared(d);
+  };
+  // The coarsened contour keeps to the distance alone.
+  if (options.stop_after_stage1) {
+    return base + for_distance(coarsening_bound(resolve(options, volume)) / voxel);
+  }
   const double h_over_r = options.limits[Criterion::h_over_r].value;
   // With --vertices and --triangles the number decides.
   const double asked =
       options.has_target()
           ? Options::kNone
-          : std::max({kDistanceDensity / length(Criterion::distance) +
-                          kThinDistance * bent / squared(length(Criterion::distance)),
-                      kHeightDensity / squared(h_over_r),
+          : std::max({for_distance(length(Criterion::distance)), kHeightDensity / squared(h_over_r),
                       kRadiusDensity / squared(length(Criterion::radius))});
   const double r_min = options.r_min.in(volume) / voxel;
   const double creases = h_over_r < Options::kNone ? kCreaseDensity / r_min : 0;
@@ -112,21 +105,11 @@ SurfaceEstimate estimate_surface(const Volume& volume, double kappa) {
 
 double expected_vertices(const SurfaceEstimate& surface, const Volume& volume,
                          const Options& options) {
-  const double vertices = surface.area * density(options, volume, surface.thin);
+  double vertices = surface.area * density(options, volume, surface.thin);
+  // T has a vertex at each crossing, and few more. Stage 1 removes some and adds none.
+  if (options.stop_after_stage1) vertices = std::min(vertices, surface.crossings);
   const std::size_t asked = std::min(options.target_vertices, options.target_triangles / 2);
   return std::min(vertices, static_cast<double>(asked));
-}
-
-ExpectedCost expected_cost(const SurfaceEstimate& surface, double vertices, const Volume& volume,
-                           const Options& options, bool verified) {
-  const auto samples = static_cast<double>(volume.sample_count());
-  const double made = vertices * (options.has_target() ? kCoarsened : 1);
-  const double seconds =
-      made * kVertexSeconds + surface.crossings * kCrossingSeconds + samples * kSampleSeconds;
-  const double of_time = kSerialShare + (1 - kSerialShare) / options.threads;
-  return {seconds * (verified ? 1 + kCheckShare : 1) * of_time,
-          made * kVertexBytes + (verified ? vertices * kCheckBytes : 0) + kProgramBytes +
-              samples * static_cast<double>(size_of(volume.type()))};
 }
 
 }  // namespace deliso

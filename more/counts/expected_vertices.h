@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An estimate of a mesh's number of vertices, and of what the run takes. It counts the grid edges
-// that the surface crosses, at some of the samples. Each criterion needs a number of vertices per
-// area.
+// An estimate of a mesh's number of vertices. It counts the grid edges that the surface crosses, at
+// some of the samples. Each criterion needs a number of vertices per area.
 #pragma once
 
 #include <cstddef>
@@ -27,24 +26,13 @@ struct SurfaceEstimate {
 SurfaceEstimate estimate_surface(const Volume& volume, double kappa);
 
 // Returns the expected number of vertices. By the bound on the distance it is right within a factor
-// of 3, and mostly within 30 %, for noise too. By the paper's criteria it is only an order of
-// magnitude: their vertices at a crease depend on its angle. `surface`: the volume's at the
-// isovalue.
+// of 3, and mostly within 30 %, for noise too, after either stage. By the paper's criteria it is
+// only an order of magnitude: their vertices at a crease depend on its angle. `surface`: the
+// volume's at the isovalue.
 double expected_vertices(const SurfaceEstimate& surface, const Volume& volume,
                          const Options& options);
 inline double expected_vertices(const Volume& volume, double kappa, const Options& options) {
   return expected_vertices(estimate_surface(volume, kappa), volume, options);
 }
-
-// The time and the memory of a run.
-struct ExpectedCost {
-  double seconds = 0, bytes = 0;
-
-  bool is_long() const { return seconds >= 60; }
-};
-// Returns the cost of a mesh and, with `verified`, of its check against the volume. Right within a
-// factor of 2 on a usual machine if the number of vertices is right.
-ExpectedCost expected_cost(const SurfaceEstimate& surface, double vertices, const Volume& volume,
-                           const Options& options, bool verified);
 
 }  // namespace deliso

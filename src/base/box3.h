@@ -47,12 +47,6 @@ inline bool meet(const Box3& a, const Box3& b) {
          a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
 }
 
-// Returns the squared distance from p to the box; 0 inside.
-inline double distance2_to(const Box3& box, const Vec3& p) {
-  return length2(p - Vec3{std::clamp(p.x, box.lo.x, box.hi.x), std::clamp(p.y, box.lo.y, box.hi.y),
-                          std::clamp(p.z, box.lo.z, box.hi.z)});
-}
-
 // Returns the part of `range` in which origin + t * direction lies in the box.
 inline Range clip(const Vec3& origin, const Vec3& direction, Range range, const Box3& box) {
   for (int axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Counts the steps of a stage. At every 1024th it reports, and polls for cancellation.
+// What every observer of a run hears of its stages. Steps of a stage are counted: at every 1024th
+// it reports, and polls for cancellation.
 #pragma once
 
 #include <cstddef>
@@ -8,12 +9,23 @@
 
 namespace deliso {
 
-// Observer: has steps_done(done, queued).
-template <class Observer>
-class StepCounter {
+class StageObserver {
  public:
-  // `observer` may be null.
-  explicit StepCounter(Observer* observer) : observer_(observer) {}
+  virtual ~StageObserver() = default;
+
+  virtual void stage_begins(const char* /*stage*/) {}
+  // The stage has done `done` steps, and `queued` more are known.
+  virtual void steps_done(std::size_t /*done*/, std::size_t /*queued*/) {}
+};
+
+// The observer may be null, here and below.
+inline void begin_stage(StageObserver* observer, const char* stage) {
+  if (observer) observer->stage_begins(stage);
+}
+
+class Steps {
+ public:
+  explicit Steps(StageObserver* observer) : observer_(observer) {}
 
   void step(std::size_t queued) {
     constexpr std::size_t kStepsPerReport = 1024;
@@ -23,7 +35,7 @@ class StepCounter {
   }
 
  private:
-  Observer* observer_;
+  StageObserver* observer_;
   std::size_t done_ = 0;
 };
 

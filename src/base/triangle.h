@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/vec3.h"
 
@@ -29,6 +30,18 @@ inline Vec3 circumcenter(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 constexpr double shortest_edge2(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::min({distance2(a, b), distance2(b, c), distance2(c, a)});
+}
+
+// The measures of a facet sigma with the surface point x.
+struct FacetShape {
+  double r;  // circumradius
+  double h;  // distance from the circumcenter to x
+  double l;  // shortest edge
+};
+
+inline FacetShape measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
+  const Vec3 center = circumcenter(a, b, c);
+  return {distance(center, a), distance(center, x), std::sqrt(shortest_edge2(a, b, c))};
 }
 
 // Returns the square of the circumradius over the shortest edge.

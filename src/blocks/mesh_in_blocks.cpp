@@ -14,7 +14,6 @@
 #include "blocks/seams.h"
 #include "blocks/weld.h"
 #include "contour/contour.h"
-#include "mesh/check_mesh.h"
 #include "run/observer.h"
 
 namespace deliso {
@@ -50,12 +49,14 @@ Parameters in_block(const Parameters& given, const BlockGrid& grid) {
 void require_closed(const Block& whole, const Box3& box) {
   const SurfaceMesh& s = whole.mesh;
   std::vector<Vec3> ends;
-  for (VertexId v = 0; v < s.mesh.points.size(); ++v) {
-    if (s.chain.is_boundary(v)) ends.push_back(s.mesh.points[v]);
+  bool is_closed = ends_on_chain(s);
+  for (VertexId v = 0; v < s.mesh.points.size() && is_closed; ++v) {
+    if (!s.chain.is_boundary(v)) continue;
+    ends.push_back(s.mesh.points[v]);
+    is_closed = on_one_face(ends.back(), s.mesh.points[s.chain.next(v)], box);
   }
   std::ranges::sort(ends, {}, by_place);
-  const bool is_closed = ends_on_chain(s) && check_boundary_on_box(s.mesh, box).empty() &&
-                         std::ranges::adjacent_find(ends) == ends.end();
+  is_closed &= std::ranges::adjacent_find(ends) == ends.end();
   if (!is_closed) throw InputError("the seams of the parts do not fit together");
 }
 

@@ -143,7 +143,7 @@ class SeamWork {
         may_thin_(whole.may_thin),
         samples_(whole.samples_near_seams) {}
 
-  void round(std::size_t number) {
+  void refine_round(std::size_t number) {
     const RoundBoxes boxes(run_, number);
     find_places(boxes);
     std::vector<MeshPatch> patches = patches_of(boxes);
@@ -156,7 +156,7 @@ class SeamWork {
       ++boxes_done_;
       if (observer_) observer_->steps_done(boxes_done_, --left);
     });
-    for (MeshPatch& patch : patches) take(std::exchange(patch, {}));
+    for (MeshPatch& patch : patches) take_back(std::exchange(patch, {}));
   }
 
  private:
@@ -247,7 +247,8 @@ class SeamWork {
                                 {patch.free_box, std::move(patch.is_done), true});
   }
 
-  void take(MeshPatch patch) {
+  // Puts what was refined back into the whole, and marks what is left to do there.
+  void take_back(MeshPatch patch) {
     const std::size_t old = patch.facets.size();
     for (VertexId v = patch.first_held; v < patch.vertices.size(); ++v) {
       may_thin_[patch.vertices[v]] = 0;
@@ -283,7 +284,7 @@ class SeamWork {
 
 void refine_seams(const BlockRun& run, Block& whole, const IsDue& is_due, Observer* observer) {
   SeamWork work(run, whole, is_due, observer);
-  for (std::size_t round = 0; round < kHalfSamples.size(); ++round) work.round(round);
+  for (std::size_t round = 0; round < kHalfSamples.size(); ++round) work.refine_round(round);
 }
 
 }  // namespace deliso

@@ -218,7 +218,10 @@ class Welder {
       facets += blocks_[b].mesh.mesh.faces.size();
     }
     whole.mesh.faces.reserve(with_room(facets));
-    for (std::uint32_t b = 0; b < blocks_.size(); ++b) append_faces(b);
+    for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+      append_facets(b);
+      append_seam_work(blocks_[b]);
+    }
     whole.duals.reserve(with_room(facets));
     for (Block& block : blocks_) {
       const IdArray<FaceId, Dual> duals = std::move(block.mesh.duals);
@@ -228,7 +231,8 @@ class Welder {
 
   static std::size_t with_room(std::size_t size) { return size + size / 16; }
 
-  void append_faces(std::uint32_t b) {
+  // Moves the block's facets to the whole. Collects their sides that two vertices of seams have.
+  void append_facets(std::uint32_t b) {
     const IdArray<FaceId, Face> faces = std::move(blocks_[b].mesh.mesh.faces);
     const IdArray<VertexId, VertexId>& id = new_id_[b];
     IdArray<FaceId, Face>& whole = out_.mesh.mesh.faces;
@@ -246,16 +250,19 @@ class Welder {
       }
       whole.push_back(face);
     }
-    const auto take = [](auto& from, auto& to) {
-      to.insert(to.end(), from.begin(), from.end());
+  }
+
+  // Moves what is left to do, in the order of facets, and what is known of the block.
+  void append_seam_work(Block& block) {
+    const auto append = [](auto& from, auto& to) {
+      to.insert(to.end(), std::move_iterator(from.begin()), std::move_iterator(from.end()));
       std::exchange(from, {});
     };
-    take(blocks_[b].samples_near_seams, out_.samples_near_seams);
-    take(blocks_[b].samples, out_.samples);
-    take(blocks_[b].is_open, out_.is_open);
-    out_.components.insert(out_.components.end(), std::move_iterator(blocks_[b].components.begin()),
-                           std::move_iterator(blocks_[b].components.end()));
-    out_.report.add(blocks_[b].report);
+    append(block.samples_near_seams, out_.samples_near_seams);
+    append(block.samples, out_.samples);
+    append(block.is_open, out_.is_open);
+    append(block.components, out_.components);
+    out_.report.add(block.report);
   }
 
   // An edge between two vertices of seams may also be one of the box.

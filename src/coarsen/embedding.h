@@ -4,8 +4,7 @@
 //   F1  No two facets cross, by exact predicates, and none is without an area.
 //   F2  No component is reversed: the volume that it bounds keeps its sign.
 //   F3  No component was passed by another. Lines from a facet of each component meet the next
-//   facet
-//       from the side from which they come, outside or inside.
+//       facet from the side from which they come, outside or inside.
 #pragma once
 
 #include <cstdint>

@@ -122,7 +122,7 @@ void keep_components(ContourMesh& contour, std::span<const std::uint8_t> kept) {
   for (std::size_t loop = 0; loop < all.size(); ++loop) {
     const std::uint32_t component = new_component[all.component[loop]];
     if (component == kNoId) continue;
-    for (VertexId& v : all.vertices[loop]) v = new_vertex[v];
+    for (ContourId& v : all.vertices[loop]) v = new_vertex[v];
     contour.boundary.loops.push_back(std::move(all.loops[loop]));
     contour.boundary.vertices.push_back(std::move(all.vertices[loop]));
     contour.boundary.component.push_back(component);
@@ -140,7 +140,7 @@ void complete(ContourMesh& mesh, WalkResult found, unsigned inner) {
   ContourBoundary& boundary = mesh.boundary;
   for (const std::vector<BoundarySegment>& segments : summarize(mesh, std::move(found))) {
     BoundaryLoop& loop = boundary.loops.emplace_back();
-    std::vector<VertexId>& vertices = boundary.vertices.emplace_back();
+    std::vector<ContourId>& vertices = boundary.vertices.emplace_back();
     boundary.component.push_back(segments[0].component);
     BoxFace previous = segments.back().face;
     for (const auto& [from, to, component, face] : segments) {

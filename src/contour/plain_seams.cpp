@@ -29,15 +29,15 @@ void make_seams_plain(ContourMesh& contour, const Volume& block) {
   const double off = kPerturbationVoxels * block.voxel();
   for (std::size_t l = 0; l < contour.boundary.size(); ++l) {
     const BoundaryLoop loop = std::exchange(contour.boundary.loops[l], {});
-    const std::vector<VertexId> all = std::exchange(contour.boundary.vertices[l], {});
+    const std::vector<ContourId> all = std::exchange(contour.boundary.vertices[l], {});
     const auto vertex = [&](std::size_t k) { return all[k % all.size()]; };
     const auto goes = [&](std::size_t k) {
       return (inner & contour.box_faces[vertex(k)]) != 0 &&
              !is_on_grid_edge(contour.points[vertex(k)], block.spacing());
     };
-    std::vector<VertexId> lifted;
+    std::vector<ContourId> lifted;
     for (std::size_t k = 0; k < all.size(); ++k) {
-      const VertexId from = vertex(k);
+      const ContourId from = vertex(k);
       if (goes(k)) {
         lifted.push_back(from);
         continue;

@@ -43,12 +43,6 @@ inline TwoTerms fast_two_sum(double a, double b) {
   return {sum, b - (sum - a)};
 }
 
-// Returns the error of the difference a - b that was rounded to `difference`.
-inline double difference_error(double a, double b, double difference) {
-  const double b_seen = a - difference, a_seen = difference + b_seen;
-  return (a - a_seen) + (b_seen - b);
-}
-
 // high + low == a, each with at most half of the 53 bits, so their products are exact.
 struct Halves {
   double high, low;

@@ -159,6 +159,16 @@ inline SiteTriangle facet_vertices(const Triangulation& t, Facet f) {
   return {v[index[0]], v[index[1]], v[index[2]]};
 }
 
+// Calls visit(facet) once for each facet, as the cell of the smaller number sees it.
+template <class Visit>
+void for_each_facet(const Triangulation& t, Visit&& visit) {
+  for (CellId c = 0; c < t.cell_capacity(); ++c) {
+    for (int i = 0; i < 4 && t.is_live(c); ++i) {
+      if (c < t.neighbor(c, i)) visit(Facet{c, i});
+    }
+  }
+}
+
 inline bool has_infinite_vertex(const Triangulation& t, Facet f) {
   const int infinite = t.infinite_index(f.cell);
   return infinite >= 0 && infinite != f.index;

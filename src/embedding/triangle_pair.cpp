@@ -53,8 +53,8 @@ class PlaneOf {
   int sign_ = 0;
 };
 
-}  // namespace
-
+// True if the closed segment pq and the closed triangle abc have a point in common.
+// pre: a, b, c are not collinear.
 bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,
                             const Vec3& c) {
   const int p_side = orient3d(a, b, c, p), q_side = orient3d(a, b, c, q);
@@ -70,6 +70,8 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const V
   const int ca = orient3d(p, q, c, a);
   return ab * ca >= 0 && bc * ca >= 0;
 }
+
+}  // namespace
 
 bool is_separated(const std::vector<Vec3>& points, const Triangle& s, const Vec3& normal,
                   const Triangle& t) {

@@ -15,11 +15,6 @@ namespace deliso {
 // distance of a vertex from Sigma.
 inline constexpr double kPerturbationVoxels = 1e-7;
 
-// True if the closed segment pq and the closed triangle abc have a point in common.
-// pre: a, b, c are not collinear.
-bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,
-                            const Vec3& c);
-
 // Returns the sum of the coordinates' sizes: a bound on the length that costs no root.
 inline double sum_of_sizes(const Vec3& a) {
   return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);

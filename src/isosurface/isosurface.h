@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The oracle: the stages learn about Sigma = g^-1(kappa) only here, with g the trilinear
+// The oracle: here the stages learn where Sigma = g^-1(kappa) lies, with g the trilinear
 // interpolant (paper §2.2.3 and §4). It answers three questions: every point of Sigma on a segment,
 // the point of Sigma on a line nearest to a given point of the line, and the gradient there. Most
 // segments are shorter than a few voxels, so it walks from voxel to voxel; long ones are quicker
-// through the kd-tree (paper/intersect.h). It
-// counts its work (Table 4's CPI) in the caller's counters, so that each stage has its own.
+// through the kd-tree (paper/intersect.h). It counts its work (Table 4's CPI) in the caller's
+// counters, so that each stage has its own.
 //
 // A hit is a passage between inside (g >= kappa) and outside. A line that touches Sigma without
 // passing has no hit there, or two at (nearly) equal t, never one. So the number of hits on a

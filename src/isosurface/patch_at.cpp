@@ -13,13 +13,6 @@ constexpr double kLastStep = 1e-7;      // of the distance; the next step is its
 constexpr double kRoundingRoom = 1e-9;  // more than the rounding of a distance, relative
 constexpr double kBeyond = std::numeric_limits<double>::infinity();
 
-Corners corners_above(const Isosurface& surface, Index3 voxel) {
-  const Volume& volume = surface.volume();
-  const std::size_t n = volume.index(voxel.i, voxel.j, voxel.k);
-  const std::size_t dy = volume.dims().i, dz = dy * volume.dims().j;
-  return volume.visit([&](const auto* s) { return corners_from(s + n, dy, dz, surface.kappa()); });
-}
-
 }  // namespace
 
 PatchAt::PatchAt(const Isosurface& surface, const Vec3& p)
@@ -27,7 +20,10 @@ PatchAt::PatchAt(const Isosurface& surface, const Vec3& p)
               surface.units().voxel_at(surface.units().point(p))) {}
 
 PatchAt::PatchAt(const Isosurface& surface, const Vec3& p, const Vec3& u, Index3 voxel)
-    : surface_(surface), p_(p), patch_(corners_above(surface, voxel)), u_(u - to_vec3(voxel)) {
+    : surface_(surface),
+      p_(p),
+      patch_(surface.volume().corners(voxel, surface.kappa())),
+      u_(u - to_vec3(voxel)) {
   for (int axis = 0; axis < 3; ++axis) {
     room_[axis] = std::min(u_[axis], 1 - u_[axis]);  // negative outside of the box
     u_[axis] = std::clamp(u_[axis], 0.0, 1.0);

@@ -36,10 +36,7 @@ class VoxelTree {
   explicit VoxelTree(const Volume& volume);
 
   const Volume& volume() const { return volume_; }
-  VoxelBox box() const {
-    const Index3 n = volume_.voxels();
-    return {{0, 0, 0}, {n.i, n.j, n.k}};
-  }
+  VoxelBox box() const { return units_.box(); }
   // True if any voxel is active.
   bool active(double kappa) const;
   std::size_t bytes() const;

@@ -27,11 +27,6 @@ bool is_degenerate(VertexId q, const LinkEdge& e) {
 
 }  // namespace
 
-const char* name_of(Star star) {
-  constexpr const char* names[] = {"empty", "disk", "half disk", "singular"};
-  return names[static_cast<std::size_t>(star)];
-}
-
 Star classify_star(VertexId q, std::span<const Triangle> triangles) {
   if (triangles.empty()) return Star::empty;
   const std::size_t count = triangles.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The paper's Disk() test (§3.1) and its half-disk relaxation (§5), as pure combinatorics: the
-// topology of the triangles around one vertex. Both stages use it. It needs no coordinate,
+// topology of the triangles around one vertex. It needs no coordinate,
 // adjacency or orientation.
 //
 // The link of q has one edge per triangle: the triangle's side opposite q.
@@ -24,8 +24,6 @@ enum class Star : std::uint8_t {
   half_disk,  // S2: the triangles fan out once, between two boundary edges at q
   singular,   // S3: q is not a manifold vertex
 };
-
-const char* name_of(Star star);
 
 // Classifies the triangles around q. pre: each of them contains q.
 Star classify_star(VertexId q, std::span<const Triangle> triangles);

@@ -33,7 +33,7 @@ TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Re
 // Runs a step, with its time and its name for the observer.
 template <class Run>
 auto stage(const char* name, double& seconds, const Options& options, Run&& run) {
-  if (options.observer) options.observer->stage_begins(name);
+  begin_stage(options.observer, name);
   const StepTimer timer(seconds);
   return run();
 }

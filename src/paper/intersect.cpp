@@ -9,9 +9,7 @@ std::span<const Hit> Sigma::intersect(const Segment& r, SearchCounters& counters
   tree_.collect_voxels(r, kappa(), voxels_);
   hits_.clear();
   for (const VoxelSpan& span : voxels_) {
-    Corners corners = volume().corners(span.voxel);
-    for (double& g : corners) g -= kappa();
-    const Roots roots = find_intersections(corners, span, solver_);
+    const Roots roots = find_intersections(volume().corners(span.voxel, kappa()), span, solver_);
     for (int n = 0; n < roots.count; ++n) {
       hits_.push_back(
           {parameter_at(span, roots.t[n]), point_at(span, roots.t[n], volume()), roots.leaves(n)});

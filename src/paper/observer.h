@@ -39,13 +39,8 @@ enum class Reason : std::uint8_t {
 // Why a point is not inserted; `split` has another in its place.
 enum class Refusal : std::uint8_t { vertex_there, split, at_curve, not_a_disk };
 
-class Observer {
+class Observer : public StageObserver {
  public:
-  virtual ~Observer() = default;
-
-  virtual void stage_begins(const char* /*stage*/) {}
-  virtual void steps_done(std::size_t /*done*/, std::size_t /*queued*/) {}
-
   // Stage 1. Del S_0|Sigma is known; both follow the run.
   virtual void sample_ready(const RestrictedDelaunay&, const Report&) {}
   // A hit x of the facet shall be inserted: it has `value` hits, or D_q of a vertex q has `value`
@@ -68,7 +63,5 @@ class Observer {
   virtual void encroaches(const Vec3& /*x*/, std::span<const FaceId> /*E*/) {}
   virtual void cone_added(VertexId, std::span<const FaceId> /*D*/) {}
 };
-
-using Steps = StepCounter<Observer>;
 
 }  // namespace deliso::paper

@@ -66,11 +66,9 @@ template <class Visit>
 void Recovery::for_each_facet(Visit&& visit) {
   const Triangulation& t = del_.del();
   facets_.clear();
-  for (CellId c = 0; c < t.cell_capacity(); ++c) {
-    for (int i = 0; i < 4 && t.is_live(c); ++i) {
-      if (c < t.neighbor(c, i) && !del_.hits({c, i}).empty()) queue(Facet{c, i});
-    }
-  }
+  deliso::for_each_facet(t, [&](Facet f) {
+    if (!del_.hits(f).empty()) queue(f);
+  });
   while (!facets_.empty()) {
     steps_.step(facets_.size());
     const auto [f, corners] = facets_.front();
@@ -136,7 +134,7 @@ void Recovery::approximate_geom(double epsilon) {
     const SiteTriangle v = facet_vertices(del_.del(), sigma);
     const auto at = [&](std::size_t i) { return del_.del().point(v[i]); };
     const Vec3 x = nearest(del_.hits(sigma), at(0)).point;
-    const Measures m = measure(at(0), at(1), at(2), x);
+    const FacetShape m = measure(at(0), at(1), at(2), x);
     if (m.r <= report_.r_min) return;
     const auto [worst, reason] = violation(m, epsilon, pole_of(v), options_);
     if (worst <= 1) return;
@@ -171,7 +169,7 @@ bool Recovery::insert(Facet sigma, const Vec3& x) {
     }
   }
   if (from != kNoId) return split(from, edge, sigma);
-  put(x);
+  add_site(x);
   return true;
 }
 
@@ -191,7 +189,7 @@ bool Recovery::split(SiteId a, const CurveEdge& edge, Facet sigma) {
   queue(sigma);
   const SiteId b = edge.to, v(t.vertex_capacity());
   const BoxFace face = edge.face;
-  put(*p);
+  add_site(*p);
   ++report_.curve_splits;
   curve_.resize(v + 1);
   curve_[v] = {{a, face}, {b, face}};
@@ -205,7 +203,7 @@ bool Recovery::split(SiteId a, const CurveEdge& edge, Facet sigma) {
   return true;
 }
 
-void Recovery::put(const Vec3& p) {
+void Recovery::add_site(const Vec3& p) {
   const SiteId v = del_.insert(p);
   ++(poles_.empty() ? report_.insertions_recover : report_.insertions_refine);
   for (const SiteId q : del_.touched()) queue(q);
@@ -236,11 +234,7 @@ void Recovery::queue(SiteId q) {
 
 void Recovery::count_left() {
   const Triangulation& t = del_.del();
-  for (CellId c = 0; c < t.cell_capacity(); ++c) {
-    for (int i = 0; i < 4 && t.is_live(c); ++i) {
-      report_.facets_left += c < t.neighbor(c, i) && del_.hits({c, i}).size() > 1;
-    }
-  }
+  deliso::for_each_facet(t, [&](Facet f) { report_.facets_left += del_.hits(f).size() > 1; });
   for (SiteId q = 1; q < t.vertex_capacity(); ++q) {
     if (del_.is_auxiliary(q)) continue;
     const bool is_good = is_disk(q);

@@ -59,7 +59,8 @@ class Recovery {
   // Inserts x, a hit of sigma, or splits the curve's edge that x encroaches upon. False: neither.
   bool insert(Facet sigma, const Vec3& x);
   bool split(SiteId a, const CurveEdge& edge, Facet sigma);
-  void put(const Vec3& p);
+  // Inserts p into Del S, and queues what that changed.
+  void add_site(const Vec3& p);
   bool refuse(Refusal why);
   void queue(SiteId q);
   void queue(Facet f) { facets_.push_back({f, facet_vertices(del_.del(), f)}); }

@@ -54,7 +54,7 @@ class Refinement {
 };
 
 Violation Refinement::violation(FaceId f) const {
-  const Measures m = measure(at(f, 0), at(f, 1), at(f, 2), t_.duals[f].x);
+  const FacetShape m = measure(at(f, 0), at(f, 1), at(f, 2), t_.duals[f].x);
   if (m.r <= report_.r_min) return {};
   double pole = 0;
   for (const VertexId v : mesh_.faces[f].v) pole += t_.poles[v] / 3;
@@ -205,17 +205,15 @@ SurfaceMesh build_tri_mesh(const RestrictedDelaunay& del, const std::vector<doub
   IdArray<FaceId, SurfaceMesh::Dual> duals;
   std::vector<Triangle> facets;
   std::vector<std::uint8_t> has_several;  // by facet: hits, and so no side that they tell
-  for (CellId c = 0; c < t.cell_capacity(); ++c) {
-    for (int i = 0; i < 4 && t.is_live(c); ++i) {
-      const std::span<const Hit> hits = del.hits({c, i});
-      if (!(c < t.neighbor(c, i)) || hits.empty()) continue;
-      const SiteTriangle v = facet_vertices(t, {c, i});
-      const Hit& x = nearest(hits, t.point(v[0]));
-      facets.push_back(as_mesh_triangle(turned(v, x)));
-      duals.push_back({x.point, true});
-      has_several.push_back(hits.size() > 1);
-    }
-  }
+  for_each_facet(t, [&](Facet sigma) {
+    const std::span<const Hit> hits = del.hits(sigma);
+    if (hits.empty()) return;
+    const SiteTriangle v = facet_vertices(t, sigma);
+    const Hit& x = nearest(hits, t.point(v[0]));
+    facets.push_back(as_mesh_triangle(turned(v, x)));
+    duals.push_back({x.point, true});
+    has_several.push_back(hits.size() > 1);
+  });
   turn_as_neighbors(facets, has_several, t.vertex_capacity());
   SurfaceMesh out = as_mesh(t, std::move(facets), poles);
   out.duals = std::move(duals);

@@ -2,10 +2,8 @@
 #include "paper/restricted.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "base/triangle.h"
 #include "delaunay/voronoi.h"
 
 namespace deliso::paper {
@@ -18,11 +16,7 @@ RestrictedDelaunay::RestrictedDelaunay(Triangulation del, Sigma& sigma, const Op
       report_(report),
       box_(sigma.volume().box()),
       hits_(4 * del_.cell_capacity()) {
-  for (CellId c = 0; c < del_.cell_capacity(); ++c) {
-    for (int i = 0; i < 4 && del_.is_live(c); ++i) {
-      if (c < del_.neighbor(c, i)) search({c, i});
-    }
-  }
+  for_each_facet(del_, [&](Facet f) { search(f); });
 }
 
 std::size_t RestrictedDelaunay::slot(Facet f) const {
@@ -47,16 +41,16 @@ void RestrictedDelaunay::search(Facet f) {
       x.push_back(hit);
     }
   }
-  tell(f);
+  add_created(f);
 }
 
-void RestrictedDelaunay::tell(Facet f) {
+void RestrictedDelaunay::add_created(Facet f) {
   if (hits(f).empty()) return;
   created_.push_back(f);
-  touch(f);
+  add_touched(f);
 }
 
-void RestrictedDelaunay::touch(Facet f) {
+void RestrictedDelaunay::add_touched(Facet f) {
   const SiteTriangle v = facet_vertices(del_, f);
   touched_.insert(touched_.end(), v.begin(), v.end());
 }
@@ -96,7 +90,7 @@ SiteId RestrictedDelaunay::insert(const Vec3& p) {
   for (const CellId c : zone_.cells) {
     for (int i = 0; i < 4; ++i) {
       Hits& hits = hits_[slot({c, i})];
-      if (!hits.x.empty()) touch({c, i});
+      if (!hits.x.empty()) add_touched({c, i});
       hits = {};
     }
   }
@@ -114,7 +108,7 @@ SiteId RestrictedDelaunay::insert(const Vec3& p) {
           return distance2(x.point, p) < distance2(x.point, corner);
         });
         hits_[slot(f)] = std::move(kept_[k]);
-        tell(f);
+        add_created(f);
       } else {
         search(f);
       }
@@ -124,12 +118,7 @@ SiteId RestrictedDelaunay::insert(const Vec3& p) {
   return v;
 }
 
-Measures measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
-  const Vec3 center = circumcenter(a, b, c);
-  return {distance(center, a), distance(center, x), std::sqrt(shortest_edge2(a, b, c))};
-}
-
-Violation violation(const Measures& m, double epsilon, double pole, const Options& options) {
+Violation violation(const FacetShape& m, double epsilon, double pole, const Options& options) {
   return std::max({Violation{m.h / m.r / epsilon, Reason::h_over_r},
                    Violation{m.r / m.l / options.lambda, Reason::r_over_l},
                    Violation{m.r / pole / options.epsilon2, Reason::r_over_pole}},

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "base/triangle.h"
 #include "delaunay/triangulation.h"
 #include "paper/intersect.h"
 #include "paper/observer.h"
@@ -51,8 +52,8 @@ class RestrictedDelaunay {
   // The hits of a facet are stored at one of its two sides.
   std::size_t slot(Facet f) const;
   void search(Facet f);
-  void tell(Facet f);
-  void touch(Facet f);
+  void add_created(Facet f);  // if it has a hit; and its corners to touched_
+  void add_touched(Facet f);
 
   Triangulation del_;
   Sigma& sigma_;
@@ -70,20 +71,13 @@ class RestrictedDelaunay {
   mutable std::uint32_t round_ = 0;
 };
 
-// The measures of a facet with the surface point x (§3.1): circumradius, distance of x from the
-// circumcenter, shortest edge.
-struct Measures {
-  double r, h, l;
-};
-Measures measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x);
-
 // How many times its limit a facet's worst measure is, and which that is (§3.2). `epsilon`: the
 // limit of h/r. `pole`: the pole height; infinite where it is not asked for.
 struct Violation {
   double value = 0;
   Reason reason = Reason::h_over_r;
 };
-Violation violation(const Measures& m, double epsilon, double pole, const Options& options);
+Violation violation(const FacetShape& m, double epsilon, double pole, const Options& options);
 
 // Returns the corners counter-clockwise seen from where the Voronoi edge leaves Sigma's inside at
 // x.

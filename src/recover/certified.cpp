@@ -146,7 +146,7 @@ std::pair<paper::Reason, ContourId> CertifiedSites::bad_facet(double epsilon) {
     }
     if (!std::isfinite(epsilon)) continue;
     const auto dual = find_dual(a, b, c, sigma_, report_.searches_recover);
-    const paper::Measures m = paper::measure(a, b, c, dual.x);
+    const FacetShape m = measure(a, b, c, dual.x);
     const auto [worst, reason] = violation(m, epsilon, kNoLimit, options_);
     if (m.r > report_.r_min && (worst > 1 || !dual.on_sigma)) return {reason, v};
   }
@@ -157,7 +157,7 @@ void CertifiedSites::certify(double epsilon) {
   for (SiteId s = 1; s < sites_.size(); ++s) {
     if (sites_[s].at != kNoId) queue(s);
   }
-  paper::Steps steps(options_.observer);
+  Steps steps(options_.observer);
   while (!stack_.empty()) {
     steps.step(stack_.size());
     paper::require_few(report_.points_initial() + report_.insertions_recover, options_);

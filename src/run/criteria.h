@@ -18,18 +18,6 @@ namespace deliso {
 
 inline constexpr double kNotAsked = std::numeric_limits<double>::infinity();
 
-// The measures of a facet sigma with the surface point x.
-struct FacetShape {
-  double r;  // circumradius
-  double h;  // distance from the circumcenter to x
-  double l;  // shortest edge
-};
-
-inline FacetShape measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
-  const Vec3 center = circumcenter(a, b, c);
-  return {distance(center, a), distance(center, x), std::sqrt(shortest_edge2(a, b, c))};
-}
-
 enum class Criterion : std::uint8_t { distance, r_over_l, h_over_r, radius, count_ };
 inline constexpr std::size_t kCriteria = static_cast<std::size_t>(Criterion::count_);
 

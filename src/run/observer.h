@@ -39,15 +39,9 @@ constexpr Reason reason_of(Criterion c) {
   return static_cast<Reason>(static_cast<unsigned>(Reason::count_) + static_cast<unsigned>(c));
 }
 
-class Observer {
+// A volume in several blocks has one stage, "blocks", whose steps are weights of blocks.
+class Observer : public StageObserver {
  public:
-  virtual ~Observer() = default;
-
-  virtual void stage_begins(const char* /*stage*/) {}
-  // The stage has done `done` steps, and `queued` more are known. A volume in several blocks has
-  // one stage, "blocks", whose steps are weights of blocks.
-  virtual void steps_done(std::size_t /*done*/, std::size_t /*queued*/) {}
-
   // True if the events below are wanted. The volume is then one block.
   virtual bool follows_insertions() const { return false; }
 
@@ -66,15 +60,9 @@ class Observer {
   virtual void mesh_finished() {}
 };
 
-inline void begin_stage(Observer* observer, const char* stage) {
-  if (observer) observer->stage_begins(stage);
-}
-
 // Returns the observer if it follows insertions, else null.
 inline Observer* follower(Observer* observer) {
   return observer && observer->follows_insertions() ? observer : nullptr;
 }
-
-using Steps = StepCounter<Observer>;
 
 }  // namespace deliso

@@ -8,13 +8,17 @@
 #include "isosurface/boundary_midpoint.h"
 
 namespace deliso {
+namespace {
 
+// Returns the squared distance from p to the segment ab.
 double distance2_to_chord(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 ab = b - a;
   const double length2_ab = length2(ab);
   const double t = length2_ab > 0 ? std::clamp(dot(p - a, ab) / length2_ab, 0.0, 1.0) : 0.0;
   return distance2(p, a + t * ab);
 }
+
+}  // namespace
 
 const Vec3& BoundaryCurves::point(CurvePlace place) const {
   return loop(place.loop)[static_cast<std::size_t>(place.s)].point;

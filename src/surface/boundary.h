@@ -117,12 +117,9 @@ class BoundaryChain {
   std::vector<Link> links_;
 };
 
-// Shortest boundary edge that either stage splits, as a share of r_min. Where the curve turns
+// Shortest boundary edge that Stage 2 splits, as a share of r_min. Where the curve turns
 // sharply at an edge of the box, shorter edges would encroach upon each other forever.
 inline constexpr double kShortestBoundaryEdge = 0.25;
-
-// Returns the squared distance from p to the segment ab.
-double distance2_to_chord(const Vec3& p, const Vec3& a, const Vec3& b);
 
 // True if p lies strictly inside the ball with diameter ab.
 constexpr bool in_diametral_ball(const Vec3& a, const Vec3& b, const Vec3& p) {

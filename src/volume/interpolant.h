@@ -56,11 +56,7 @@ class Interpolant {
       const std::size_t first = voxel[0][n] + g.dy_ * voxel[1][n] + g.dz_ * voxel[2][n];
       const Corners c =
           corners_from(static_cast<const Sample*>(g.samples_) + first, g.dy_, g.dz_, 0);
-      const double x = place[0][n], y = place[1][n], z = place[2][n];
-      const double c00 = c[0] + x * (c[1] - c[0]), c10 = c[2] + x * (c[3] - c[2]);
-      const double c01 = c[4] + x * (c[5] - c[4]), c11 = c[6] + x * (c[7] - c[6]);
-      const double c0 = c00 + y * (c10 - c00), c1 = c01 + y * (c11 - c01);
-      values[n] = c0 + z * (c1 - c0) - g.kappa_;
+      values[n] = interpolated(c, place[0][n], place[1][n], place[2][n]) - g.kappa_;
     }
     return values;
   }

@@ -115,20 +115,15 @@ Index3 Volume::voxel_at(const Vec3& p) const {
   return voxel;
 }
 
-Corners Volume::corners(Index3 voxel) const {
+Corners Volume::corners(Index3 voxel, double kappa) const {
   const std::size_t n = index(voxel.i, voxel.j, voxel.k);
   const std::size_t dy = dims_.i, dz = dy * dims_.j;
-  return visit([=](const auto* s) { return corners_from(s + n, dy, dz, 0); });
+  return visit([=](const auto* s) { return corners_from(s + n, dy, dz, kappa); });
 }
 
 double Volume::value(const Vec3& p) const {
   const Local at = localize(*this, p);
-  const Corners c = corners(at.voxel);
-  const Vec3 u = at.u;
-  const double c00 = c[0] + u.x * (c[1] - c[0]), c10 = c[2] + u.x * (c[3] - c[2]);
-  const double c01 = c[4] + u.x * (c[5] - c[4]), c11 = c[6] + u.x * (c[7] - c[6]);
-  const double c0 = c00 + u.y * (c10 - c00), c1 = c01 + u.y * (c11 - c01);
-  return c0 + u.z * (c1 - c0);
+  return interpolated(corners(at.voxel), at.u.x, at.u.y, at.u.z);
 }
 
 Vec3 Volume::gradient(const Vec3& p) const {

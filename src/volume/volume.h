@@ -92,6 +92,15 @@ Corners corners_from(const T* s, std::size_t dy, std::size_t dz, double kappa) {
           static_cast<double>(s[dz + dy]) - kappa, static_cast<double>(s[dz + dy + 1]) - kappa};
 }
 
+// Returns the trilinear interpolant of corner values at a point of the voxel, [0, 1] along each
+// axis.
+constexpr double interpolated(const Corners& c, double x, double y, double z) {
+  const double c00 = c[0] + x * (c[1] - c[0]), c10 = c[2] + x * (c[3] - c[2]);
+  const double c01 = c[4] + x * (c[5] - c[4]), c11 = c[6] + x * (c[7] - c[6]);
+  const double c0 = c00 + y * (c10 - c00), c1 = c01 + y * (c11 - c01);
+  return c0 + z * (c1 - c0);
+}
+
 // True if the voxel whose first corner is *s is active. dy and dz are the steps to the next sample
 // in y and in z.
 template <class T>
@@ -178,7 +187,8 @@ class Volume {
     const std::size_t n = index(i, j, k);
     return visit([n](const auto* s) { return static_cast<double>(s[n]); });
   }
-  Corners corners(Index3 voxel) const;
+  // Returns the values at a voxel's corners, less kappa.
+  Corners corners(Index3 voxel, double kappa = 0) const;
 
   // The trilinear interpolant and its gradient, per unit of the scaled frame. g is only C0 across
   // voxels, so the gradient is that of voxel_at(p). Points outside the box are clamped to it.

@@ -18,12 +18,12 @@
 #include "base/check.h"
 #include "base/random.h"
 #include "base/triangle.h"
+#include "check/check_mesh.h"
 #include "check/quality.h"
 #include "io/files/temporary_folder.h"
 #include "io/filter/gaussian.h"
 #include "io/filter/median.h"
 #include "io/mesh/read_mesh.h"
-#include "mesh/check_mesh.h"
 #include "more/mesh_isosurface.h"
 #include "volume/sampled.h"
 

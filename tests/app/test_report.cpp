@@ -225,12 +225,6 @@ TEST_CASE("--verbose adds lines to the report, and leaves none out") {
   }
 }
 
-TEST_CASE("a cost is told in units of its size") {
-  CHECK(cost_text(75.4, 3e8) == "75 seconds and 286 MiB");
-  CHECK(cost_text(600, 1.5e9) == "10 minutes and 1.4 GiB");
-  CHECK(cost_text(1e4, 1e12) == "2.8 hours and 931 GiB");
-}
-
 TEST_CASE("faults of rounding are told by their kinds") {
   CHECK(place_faults_text({1, 0, 0}) == "1 pair of triangles cross");
   CHECK(place_faults_text({0, 1, 1}) == "1 triangle flat, 1 vertex coincide with others");

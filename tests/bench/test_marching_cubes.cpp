@@ -13,8 +13,8 @@
 
 #include "base/random.h"
 #include "base/triangle.h"
+#include "check/check_mesh.h"
 #include "contour/voxel_topology.h"
-#include "mesh/check_mesh.h"
 #include "volume/sampled.h"
 
 using namespace deliso;

@@ -6,13 +6,13 @@
 #include <algorithm>
 
 #include "cases.h"
+#include "check/check_mesh.h"
 #include "check/self_intersections.h"
 #include "coarsen/coarsen.h"
 #include "coarsen/contour_as_mesh.h"
 #include "contour/fine_contour.h"
 #include "contour/plain_seams.h"
 #include "fields.h"
-#include "mesh/check_mesh.h"
 #include "mesh/component_kinds.h"
 #include "stress/tiny_volume.h"
 

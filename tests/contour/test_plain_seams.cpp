@@ -12,10 +12,10 @@
 
 #include "blocks/grid.h"
 #include "cases.h"
+#include "check/check_mesh.h"
 #include "check/self_intersections.h"
 #include "coarsen/contour_as_mesh.h"
 #include "contour/fine_contour.h"
-#include "mesh/check_mesh.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;

@@ -33,15 +33,15 @@ allowed() {
     more) echo "$all" ;;
     more/planar) echo "base delaunay more/planar" ;;
     more/cap) echo "$surface delaunay contour refine more/planar more/cap" ;;
-    more/counts) echo "$surface contour refine blocks more/counts" ;;
-    more/bodies) echo "base delaunay mesh embedding volume more/bodies" ;;
+    more/counts) echo "$surface contour coarsen refine blocks more/counts" ;;
+    more/bodies) echo "base delaunay mesh embedding volume check/check_mesh.h more/bodies" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface" \
       "run/criteria.h check" ;;
     io/files) echo "base io/files" ;;
     io/volume) echo "base volume io/files io/volume" ;;
     io/filter) echo "base volume io/files io/filter" ;;
     io/mesh) echo "base mesh io/files io/mesh" ;;
-    io/parts) echo "base volume mesh blocks/block.h blocks/grid.h $io" ;;
+    io/parts) echo "base volume mesh blocks/block.h blocks/grid.h check/check_mesh.h $io" ;;
     view/page) echo "base io/files view/page" ;;
     view/render) echo "base mesh io/files view/render" ;;
     view/gray) echo "base volume io/files mesh view/render view/gray" ;;

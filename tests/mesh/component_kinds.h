@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "check/check_mesh.h"
 #include "contour/contour.h"
-#include "mesh/check_mesh.h"
 
 namespace deliso {
 

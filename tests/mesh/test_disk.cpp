@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "mesh/check_mesh.h"
+#include "check/check_mesh.h"
 #include "mesh/meshes.h"
 
 using namespace deliso;

@@ -2,7 +2,7 @@
 // link_faces against a search through all pairs of sides.
 #include <doctest/doctest.h>
 
-#include "mesh/check_mesh.h"
+#include "check/check_mesh.h"
 #include "mesh/meshes.h"
 
 using namespace deliso;

@@ -8,10 +8,10 @@
 
 #include "base/random.h"
 #include "base/triangle.h"
+#include "check/check_mesh.h"
 #include "check/verify.h"
 #include "contour/contour.h"
 #include "io/volume/builtin_volume.h"
-#include "mesh/check_mesh.h"
 #include "more/mesh_isosurface.h"
 #include "stress/option_volume.h"
 

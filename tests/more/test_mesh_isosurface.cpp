@@ -11,9 +11,9 @@
 
 #include "base/triangle.h"
 #include "cases.h"
+#include "check/check_mesh.h"
 #include "check/place_faults.h"
 #include "fields.h"
-#include "mesh/check_mesh.h"
 #include "mesh/component_kinds.h"
 #include "more/mesh_isosurface.h"
 #include "run/criteria.h"

@@ -93,7 +93,7 @@ inline TriMesh run(const Field& field, const paper::Options& options, paper::Rep
 
 // Calls visit(facet) for every facet of three sites, once.
 template <class Visit>
-void for_each_facet(const Triangulation& t, Visit&& visit) {
+void for_each_finite_facet(const Triangulation& t, Visit&& visit) {
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
     for (int i = 0; i < 4 && t.is_live(c); ++i) {
       if (c < t.neighbor(c, i) && !has_infinite_vertex(t, {c, i})) visit(Facet{c, i});
@@ -112,7 +112,7 @@ using FacetHits = std::map<SiteTriangle, std::vector<Vec3>>;
 
 inline FacetHits stored_hits(const paper::RestrictedDelaunay& del) {
   FacetHits all;
-  for_each_facet(del.del(), [&](Facet f) {
+  for_each_finite_facet(del.del(), [&](Facet f) {
     for (const Hit& x : del.hits(f)) all[sorted_corners(del.del(), f)].push_back(x.point);
   });
   return all;
@@ -124,7 +124,7 @@ inline FacetHits searched_hits(const paper::RestrictedDelaunay& del, double r_mi
   SearchCounters counters;
   std::vector<Hit> hits;
   FacetHits all;
-  for_each_facet(del.del(), [&](Facet f) {
+  for_each_finite_facet(del.del(), [&](Facet f) {
     const FacetDual edge = facet_dual(del.del(), f);
     const Range t = clip(edge.center, edge.normal, {edge.t_lo, edge.t_hi}, surface.volume().box());
     if (t.empty()) return;

@@ -28,7 +28,7 @@ void check_told(const RestrictedDelaunay& del, SiteId v, const FacetHits& before
                 const FacetHits& after) {
   const Triangulation& t = del.del();
   std::set<SiteTriangle> around, created;
-  for_each_facet(t, [&](Facet f) {
+  for_each_finite_facet(t, [&](Facet f) {
     const auto has_v = [&](CellId c) { return std::ranges::count(t.vertices(c), v) > 0; };
     if ((has_v(f.cell) || has_v(t.mirror(f).cell)) && !del.hits(f).empty()) {
       around.insert(sorted_corners(t, f));
@@ -54,7 +54,7 @@ struct FacetsAround {
 FacetsAround facets_around_site(const RestrictedDelaunay& del, SiteId v) {
   const Triangulation& t = del.del();
   FacetsAround count;
-  for_each_facet(t, [&](Facet f) {
+  for_each_finite_facet(t, [&](Facet f) {
     const auto has_v = [&](CellId c) { return std::ranges::count(t.vertices(c), v) > 0; };
     const FacetDual edge = facet_dual(t, f);
     const Range range =
@@ -151,7 +151,7 @@ TEST_CASE("star() is D_q, and the measures are those of the triangle") {
     CHECK(found.size() == d_q.size());
     CHECK(found == expected[q]);
   }
-  const auto [r, h, l] = paper::measure({0, 0, 5}, {3, 0, 5}, {0, 4, 5}, {1.5, 2, 7});
+  const auto [r, h, l] = measure({0, 0, 5}, {3, 0, 5}, {0, 4, 5}, {1.5, 2, 7});
   CHECK(r == doctest::Approx(2.5));
   CHECK(h == doctest::Approx(2));
   CHECK(l == doctest::Approx(3));

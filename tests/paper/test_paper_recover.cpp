@@ -131,7 +131,7 @@ class Watch : public paper::Observer {
     } else {
       std::vector<Triangle> d_q;
       double from_q = 0;
-      for_each_facet(t, [&](Facet f) {
+      for_each_finite_facet(t, [&](Facet f) {
         const SiteTriangle corners = facet_vertices(t, f);
         if (std::ranges::count(corners, q) == 0 || program_->del().hits(f).empty()) return;
         d_q.push_back(as_mesh_triangle(corners));

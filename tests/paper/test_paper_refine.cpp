@@ -11,7 +11,7 @@
 #include <optional>
 #include <set>
 
-#include "mesh/check_mesh.h"
+#include "check/check_mesh.h"
 #include "paper/poles.h"
 #include "paper/program.h"
 

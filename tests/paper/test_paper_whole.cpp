@@ -5,9 +5,9 @@
 #include <set>
 
 #include "base/check.h"
+#include "check/check_mesh.h"
 #include "check/delaunay_share.h"
 #include "contour/contour.h"
-#include "mesh/check_mesh.h"
 #include "mesh/meshes.h"
 #include "paper/program.h"
 

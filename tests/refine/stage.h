@@ -13,10 +13,10 @@
 
 #include "base/random.h"
 #include "base/triangle.h"
+#include "check/check_mesh.h"
 #include "delaunay/predicates.h"
 #include "embedding/all_crossings.h"
 #include "fields.h"
-#include "mesh/check_mesh.h"
 #include "mesh/component_kinds.h"
 #include "refine/refine.h"
 #include "refine/refinement.h"

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string>
 
+#include "check/check_mesh.h"
 #include "check/verify.h"
-#include "mesh/check_mesh.h"
 #include "mesh/component_kinds.h"
 #include "more/mesh_isosurface.h"
 

@@ -13,12 +13,12 @@
 #include "base/check.h"
 #include "base/text.h"
 #include "cases.h"
+#include "check/check_mesh.h"
 #include "io/damage.h"
 #include "io/files/temporary_folder.h"
 #include "io/mesh/containers.h"
 #include "io/mesh/mesh_files.h"
 #include "io/mesh/read_mesh.h"
-#include "mesh/check_mesh.h"
 #include "mesh/meshes.h"
 
 using namespace deliso;

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <vector>
 
+#include "check/check_mesh.h"
 #include "check/place_faults.h"
 #include "check/quality.h"
-#include "mesh/check_mesh.h"
 
 using namespace deliso;
 

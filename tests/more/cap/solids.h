@@ -13,10 +13,10 @@
 
 #include "base/random.h"
 #include "base/vec2.h"
+#include "check/check_mesh.h"
 #include "check/place_faults.h"
 #include "check/quality.h"
 #include "check/self_intersections.h"
-#include "mesh/check_mesh.h"
 #include "mesh/meshes.h"
 #include "more/cap/box_caps.h"
 #include "more/mesh_isosurface.h"

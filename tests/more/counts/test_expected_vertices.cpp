@@ -40,6 +40,28 @@ Volume ball(double radius, Vec3 spacing, double side) {
   });
 }
 
+struct Found {
+  double expected, made;
+
+  double ratio() const { return expected / made; }
+};
+struct OfStages {
+  Found stage1, mesh;
+};
+
+// Meshes the field, and estimates the mesh and what Stage 1 alone makes of it.
+OfStages of_stages(const MeshedField& field, Options options) {
+  options.block_side = 0;  // one block: no vertices are left for seams
+  Report report;
+  const TriMesh mesh = mesh_isosurface(field.volume, field.kappa, options, report);
+  OfStages found;
+  found.mesh = {expected_vertices(field.volume, field.kappa, options), double(mesh.points.size())};
+  options.stop_after_stage1 = true;
+  found.stage1 = {expected_vertices(field.volume, field.kappa, options),
+                  double(report.vertices_coarsened)};
+  return found;
+}
+
 }  // namespace
 
 TEST_CASE("if every sample is read, the crossings are those of T") {
@@ -70,7 +92,7 @@ TEST_CASE("the area of balls, whatever the shape of voxels and however many slic
   check_ball(110, {1, 1, 1}, 120, 0.05);  // 241^3: a third of the slices
 }
 
-TEST_CASE("by distance the estimate is within a factor of 3 of the mesh") {
+TEST_CASE("by distance the estimate is within a factor of 3 of the mesh, and of Stage 1's") {
   int cases = 0;
   for (const std::string name :
        {"sphere", "torus", "linked_tori", "five_spheres", "gyroid", "orbital", "fuel", "machine"}) {
@@ -83,12 +105,11 @@ TEST_CASE("by distance the estimate is within a factor of 3 of the mesh") {
         Options options;
         options.limits[Criterion::distance] = {d, Length::Unit::voxel};
         options.r_min = {r_min, Length::Unit::voxel};
-        Report report;
-        const double vertices = static_cast<double>(
-            mesh_isosurface(field.volume, field.kappa, options, report).points.size());
-        const double expected = expected_vertices(field.volume, field.kappa, options);
-        CHECK(expected > vertices / 3);
-        CHECK(expected < vertices * 3);
+        const OfStages found = of_stages(field, options);
+        for (const double ratio : {found.mesh.ratio(), found.stage1.ratio()}) {
+          CHECK(ratio > 1.0 / 3);
+          CHECK(ratio < 3);
+        }
         ++cases;
       }
     }
@@ -96,17 +117,15 @@ TEST_CASE("by distance the estimate is within a factor of 3 of the mesh") {
   CHECK(cases == 64);
 }
 
-TEST_CASE("for noise the estimate is within 30 % of the mesh") {
+TEST_CASE("for noise the estimate is within 30 % of the mesh, and of Stage 1's") {
   const MeshedField field("noise:32");
   for (const double d : {1.0, 0.3, 0.1}) {
     CAPTURE(d);
     Options options;
     options.limits[Criterion::distance] = {d, Length::Unit::voxel};
-    Report report;
-    const double vertices = static_cast<double>(
-        mesh_isosurface(field.volume, field.kappa, options, report).points.size());
-    CHECK(expected_vertices(field.volume, field.kappa, options) ==
-          doctest::Approx(vertices).epsilon(0.3));
+    const OfStages found = of_stages(field, options);
+    CHECK(found.mesh.ratio() == doctest::Approx(1).epsilon(0.3));
+    CHECK(found.stage1.ratio() == doctest::Approx(1).epsilon(0.3));
   }
 }
 
@@ -138,26 +157,9 @@ TEST_CASE("what each criterion and limit does to the estimate") {
   Options kept = plain;
   kept.max_vertices = 500;
   CHECK(expected(kept) == expected(plain));  // it would end in an error
+  Options stage1 = plain;
+  stage1.stop_after_stage1 = true;
+  stage1.limits[Criterion::distance].value = 1e-6;  // T itself, which has 1.5 vertices per area
+  CHECK(expected(stage1) == estimate_surface(field.volume, field.kappa).crossings);
   CHECK(expected_vertices(field.volume, 1e9, plain) == 0);
-}
-
-TEST_CASE("the cost grows with the mesh and its check, and falls with threads") {
-  const MeshedField field("gyroid");
-  Options options;
-  options.threads = 1;
-  const SurfaceEstimate surface = estimate_surface(field.volume, field.kappa);
-  const auto cost = [&](double vertices, bool verified = false) {
-    return expected_cost(surface, vertices, field.volume, options, verified);
-  };
-  const ExpectedCost one = cost(1e6), more = cost(3e6);
-  CHECK(more.seconds / one.seconds == doctest::Approx(3).epsilon(0.1));
-  CHECK(more.bytes / one.bytes == doctest::Approx(3).epsilon(0.1));
-  CHECK_FALSE(one.is_long());
-  CHECK(more.is_long());
-  CHECK(cost(1e6, true).seconds > 1.5 * one.seconds);
-  CHECK(cost(1e6, true).bytes > one.bytes);
-  options.threads = 16;
-  CHECK(cost(1e6).seconds < one.seconds / 5);
-  options.target_vertices = 1000000;
-  CHECK(cost(1e6).bytes > one.bytes);
 }

@@ -1,5 +1,5 @@
 'use strict';
-// What a triangle is like: src/mesh/quality.h. All from flat arrays of coordinates and corners.
+// What a triangle is like: check/quality.h. All from flat arrays of coordinates and corners.
 
 // The smallest angle in degrees, circumradius over shortest edge, the circumradius, and the area, per
 // triangle. Without area: 0, Infinity, Infinity, 0.

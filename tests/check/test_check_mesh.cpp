@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "mesh/check_mesh.h"
+#include "check/check_mesh.h"
 #include "mesh/meshes.h"
 #include "mesh/star.h"
 

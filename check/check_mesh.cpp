@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/check_mesh.h"
+#include "check/check_mesh.h"
 
 #include <algorithm>
 #include <numeric>
 
 #include "base/disjoint_sets.h"
 #include "base/text.h"
+#include "check/triangle_lists.h"
 #include "mesh/incidence.h"
 #include "mesh/star.h"
 
