@@ -37,7 +37,8 @@ bool cut(Loop loop, std::size_t i, std::size_t k, std::vector<VoxelTriangle>& tr
   return false;
 }
 
-// Meshes each voxel by the table, which may differ from its exact loops.
+// Meshes each voxel by the table, which may differ from its exact loops. Crossings are the vertices
+// of the mesh.
 class TableSink final : public ContourSink {
  public:
   TableSink(const Volume& volume, std::vector<Vec3>& points, std::vector<Triangle>& triangles)
@@ -47,19 +48,19 @@ class TableSink final : public ContourSink {
     }
   }
 
-  VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t) override {
+  ContourId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t) override {
     if (points_.size() >= kNoId) throw InputError("the mesh has 2^32 vertices or more");
     Vec3 p{static_cast<double>(sample.i), static_cast<double>(sample.j),
            static_cast<double>(sample.k)};
     p[axis] += c0 / (c0 - c1);
     points_.push_back({p.x * spacing_.x, p.y * spacing_.y, p.z * spacing_.z});
-    return VertexId(points_.size() - 1);
+    return ContourId(points_.size() - 1);
   }
 
   void voxel(const VoxelPieces& pieces) override {
     std::array<VertexId, 12> on_edge;
     for (std::size_t n = 0; n < pieces.loops.first[pieces.loops.count]; ++n) {
-      on_edge[pieces.loops.edge[n]] = pieces.vertex[n];
+      on_edge[pieces.loops.edge[n]] = VertexId(pieces.vertex[n].number());
     }
     for (const auto& [a, b, c] : cases_[static_cast<std::size_t>(mask_of(pieces.corners))]) {
       triangles_.push_back({on_edge[a], on_edge[b], on_edge[c]});

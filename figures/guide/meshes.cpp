@@ -86,11 +86,11 @@ void draw_certified(const std::string& folder) {
   // T in the colors of its labels: a triangle of one label has that one's, others are white.
   const auto labeled = [&](const Triangulation& sites, std::size_t count) {
     const Labels labels(contour, sites);
-    Pictured p{make_tri_mesh(contour.points, contour.triangles), {}};
+    Pictured p{contour_as_mesh(contour).mesh, {}};
     Certificate certificate(labels);
     std::vector<DualFacet> facets;
     std::map<paper::Reason, std::size_t> broken;
-    for (VertexId v = 0; v < contour.points.size(); ++v) {
+    for (ContourId v = 0; v < contour.points.size(); ++v) {
       if (labels.distance2_to_site(v) > 0) continue;
       const auto violation = certificate.check(labels.label(v), v, facets).violation;
       if (violation) ++broken[*violation];
@@ -100,7 +100,7 @@ void draw_certified(const std::string& folder) {
       append_format(p.caption, ", %zu break %s", times, condition_of(reason));
     }
     if (broken.empty()) p.caption += ", none breaks a condition";
-    for (const Triangle& t : contour.triangles) {
+    for (const ContourTriangle& t : contour.triangles) {
       const SiteId a = labels.label(t[0]);
       const bool is_one = labels.label(t[1]) == a && labels.label(t[2]) == a;
       p.colors.push_back(is_one ? category_color(a) : Rgb{245, 245, 245});
@@ -112,7 +112,8 @@ void draw_certified(const std::string& folder) {
     Triangulation sites;
     std::vector<Vec3> points;
     for (std::size_t n = 0; n < kSites; ++n) {
-      points.push_back(contour.points[(2 * n + 1) * contour.points.size() / (2 * kSites)]);
+      points.push_back(
+          contour.points[ContourId((2 * n + 1) * contour.points.size() / (2 * kSites))]);
     }
     append_auxiliary(volume.box(), points);
     std::vector<SiteId> ids;

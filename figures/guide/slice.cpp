@@ -30,7 +30,7 @@ Slice::Slice(int columns, int rows, const std::function<double(double, double)>&
   const ContourMesh contour = build_contour(volume_, 0, std::move(split));
   for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
     std::vector<Vec2> loop;
-    for (const VertexId v : contour.boundary.chain(c)) {
+    for (const ContourId v : contour.boundary.chain(c)) {
       DELISO_CHECK((contour.box_faces[v] & 15u) == 0);
       loop.push_back({contour.points[v].x, contour.points[v].y});
     }

@@ -76,14 +76,14 @@ std::vector<Polygon> box_sides(const Box3& box) {
 
 // Every site is the vertex of T that is furthest from all before it.
 std::vector<Vec3> spread_sites(const ContourMesh& contour, std::size_t count) {
-  std::vector<double> far(contour.points.size(), HUGE_VAL);
+  IdArray<ContourId, double> far(contour.points.size(), HUGE_VAL);
   std::vector<Vec3> sites{contour.points[0]};
   while (sites.size() < count) {
-    for (std::size_t v = 0; v < far.size(); ++v) {
+    for (ContourId v = 0; v < far.size(); ++v) {
       far[v] = std::min(far[v], distance2(contour.points[v], sites.back()));
     }
-    sites.push_back(contour.points[static_cast<std::size_t>(
-        std::max_element(far.begin(), far.end()) - far.begin())]);
+    const ContourId furthest(std::ranges::max_element(far) - far.begin());
+    sites.push_back(contour.points[furthest]);
   }
   return sites;
 }

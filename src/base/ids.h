@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Elements are indices into flat arrays, not pointers. Indices are half the size, survive growth of
 // the array, and sort the same way in every run. Ids of different things have different types: a
-// site is not a mesh vertex.
+// site is not a mesh vertex, and neither is a vertex of T.
 #pragma once
 
 #include <concepts>
@@ -63,9 +63,10 @@ class IdArray : public std::vector<T> {
   decltype(auto) operator[](Index i) const { return std::vector<T>::operator[](i.number()); }
 };
 
-using VertexId = Id<struct VertexTag>;  // of a triangle mesh
-using FaceId = Id<struct FaceTag>;      // its facets
-using SiteId = Id<struct SiteTag>;      // a vertex of the 3D Delaunay triangulation
-using CellId = Id<struct CellTag>;      // its tetrahedra
+using VertexId = Id<struct VertexTag>;    // of a triangle mesh
+using FaceId = Id<struct FaceTag>;        // its facets
+using ContourId = Id<struct ContourTag>;  // a vertex of the exact contour T
+using SiteId = Id<struct SiteTag>;        // a vertex of the 3D Delaunay triangulation
+using CellId = Id<struct CellTag>;        // its tetrahedra
 
 }  // namespace deliso

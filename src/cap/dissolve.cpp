@@ -30,7 +30,7 @@ class SidesOfComponents final : public ContourSink {
   SidesOfComponents(const Volume& volume, DisjointSets& samples)
       : volume_(volume), samples_(samples) {}
 
-  VertexId crossing(int, Index3, double, double, std::uint8_t) override { return kNoId; }
+  ContourId crossing(int, Index3, double, double, std::uint8_t) override { return kNoId; }
   void voxel(const VoxelPieces& p) override {
     for (int l = 0; l < p.loops.count; ++l) {
       if (p.label[l] >= sides.size()) sides.resize(p.label[l] + 1, {kNoId, kNoId});

@@ -31,7 +31,7 @@ std::vector<FaceAreas> areas_of(const ContourMesh& contour) {
   for (std::size_t c = 0; c < chains.size(); ++c) {
     const auto first = chains.first[c], end = chains.first[c + 1];
     for (auto n = first; n < end; ++n) {
-      const VertexId to = chains.vertices[n + 1 < end ? n + 1 : first];
+      const ContourId to = chains.vertices[n + 1 < end ? n + 1 : first];
       areas[chains.component[c]].add(chains.face[n], contour.points[chains.vertices[n]],
                                      contour.points[to]);
       passes_edge[chains.component[c]] |= chains.on_box_edge[n];

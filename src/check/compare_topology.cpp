@@ -99,7 +99,7 @@ std::vector<std::uint32_t> match_components(const CleanMesh& mesh,
       Vec3 normal;
       std::uint32_t component = kNoId;
       voxels.for_each_triangle_around(p, [&](std::uint32_t n) {
-        const Triangle& t = contour.triangles[n];
+        const ContourTriangle& t = contour.triangles[n];
         const Vec3 a = in_voxels(contour.points[t[0]]), b = in_voxels(contour.points[t[1]]),
                    c = in_voxels(contour.points[t[2]]);
         const double d = distance2_to_triangle(in_voxels(p), a, b, c);

@@ -221,7 +221,7 @@ double sharper_distance(const Vec3& p, double d, const ContourMesh& contour,
   SearchCounters counters;
   const PatchAt patch(surface, p);
   voxels.for_each_triangle_around(p, [&](std::uint32_t n) {
-    for (const VertexId v : contour.triangles[n]) {
+    for (const ContourId v : contour.triangles[n]) {
       d = std::min(d, patch.distance_along(contour.points[v] - p, d, counters));
     }
   });

@@ -7,13 +7,20 @@ namespace deliso {
 
 SurfaceMesh contour_as_mesh(const ContourMesh& contour) {
   SurfaceMesh out;
-  out.mesh = make_tri_mesh(contour.points, contour.triangles);
+  out.mesh.points = contour.points;
+  out.mesh.faces.reserve(contour.triangles.size());
+  for (const ContourTriangle& t : contour.triangles) {
+    out.mesh.faces.push_back({triangle_of(t[0], t[1], t[2]), {kNoId, kNoId, kNoId}});
+  }
+  link_faces(out.mesh);
+  std::vector<VertexId> vertices;
   std::vector<CurvePlace> places;
   for (std::uint32_t loop = 0; loop < contour.boundary.size(); ++loop) {
-    const auto vertices = contour.boundary.chain(loop);
+    vertices.clear();
     places.clear();
-    for (std::size_t s = 0; s < vertices.size(); ++s) {
-      places.push_back({loop, static_cast<double>(s)});
+    for (const ContourId v : contour.boundary.chain(loop)) {
+      places.push_back({loop, static_cast<double>(vertices.size())});
+      vertices.push_back(VertexId(v.number()));
     }
     out.chain.add_loop(vertices, places);
   }

@@ -8,8 +8,8 @@
 
 namespace deliso {
 
-// Returns T, with its vertices and triangles in their order. It has no duals yet. Its chain has all
-// points of the curves below.
+// Returns T, with its vertices and triangles in their order: vertex n of the mesh is vertex n of T.
+// It has no duals yet. Its chain has all points of the curves below.
 SurfaceMesh contour_as_mesh(const ContourMesh& contour);
 
 // Returns the curves in which T ends on the box. Those on `inner` faces (bit f for face f) are

@@ -7,7 +7,7 @@ std::vector<std::optional<Vec3>> component_origins(const ContourMesh& contour, c
   const std::size_t count = contour.summary.components.size();
   std::vector<unsigned> faces(count, 0);
   std::vector<std::optional<Vec3>> origins(count);
-  for (VertexId v = 0; v < contour.points.size(); ++v) {
+  for (ContourId v = 0; v < contour.points.size(); ++v) {
     faces[contour.component[v]] |= contour.box_faces[v];
     origins[contour.component[v]] = contour.points[v];  // a near point, for accuracy
   }
@@ -15,20 +15,6 @@ std::vector<std::optional<Vec3>> component_origins(const ContourMesh& contour, c
     if (origins[c]) origins[c] = moved_into_faces(*origins[c], faces[c], box);
   }
   return origins;
-}
-
-std::vector<double> bounded_volumes(const std::vector<Vec3>& points,
-                                    std::span<const std::array<VertexId, 3>> triangles,
-                                    std::span<const std::uint32_t> component,
-                                    std::span<const std::optional<Vec3>> origins) {
-  std::vector<double> volumes(origins.size(), 0);
-  for (const std::array<VertexId, 3>& t : triangles) {
-    const std::uint32_t c = component[t[0]];
-    if (c == kNoId || !origins[c]) continue;
-    const Vec3& o = *origins[c];
-    volumes[c] += dot(points[t[0]] - o, cross(points[t[1]] - o, points[t[2]] - o));
-  }
-  return volumes;
 }
 
 }  // namespace deliso

@@ -18,10 +18,20 @@ std::vector<std::optional<Vec3>> component_origins(const ContourMesh& contour, c
 
 // Returns per component six times the volume between its triangles and its origin; 0 without an
 // origin. It is positive if normals point away from the bounded volume. `component`: per point;
-// points with kNoId are left out.
+// points with kNoId are left out. The triangles are those of T or of a mesh.
+template <class Triangle>
 std::vector<double> bounded_volumes(const std::vector<Vec3>& points,
-                                    std::span<const std::array<VertexId, 3>> triangles,
+                                    const std::vector<Triangle>& triangles,
                                     std::span<const std::uint32_t> component,
-                                    std::span<const std::optional<Vec3>> origins);
+                                    std::span<const std::optional<Vec3>> origins) {
+  std::vector<double> volumes(origins.size(), 0);
+  for (const Triangle& t : triangles) {
+    const std::uint32_t c = component[t[0]];
+    if (c == kNoId || !origins[c]) continue;
+    const Vec3& o = *origins[c];
+    volumes[c] += dot(points[t[0]] - o, cross(points[t[1]] - o, points[t[2]] - o));
+  }
+  return volumes;
+}
 
 }  // namespace deliso

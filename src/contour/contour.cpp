@@ -16,13 +16,13 @@ namespace {
 // Keeps nothing. Crossings on the box are numbered, so that their segments can be chained.
 class CountingSink final : public ContourSink {
  public:
-  VertexId crossing(int, Index3, double, double, std::uint8_t box_faces) override {
+  ContourId crossing(int, Index3, double, double, std::uint8_t box_faces) override {
     return box_faces != 0 ? next_++ : kNoId;
   }
   void voxel(const VoxelPieces&) override {}
 
  private:
-  VertexId next_ = 0;
+  ContourId next_ = 0;
 };
 
 // Links segments into chains. pre: every vertex starts one segment and ends one; `component` holds
@@ -30,9 +30,9 @@ class CountingSink final : public ContourSink {
 BoundaryChains chain_segments(std::vector<BoundarySegment> segments) {
   std::sort(segments.begin(), segments.end(),
             [](const auto& s, const auto& t) { return s.from < t.from; });
-  const auto starting_at = [&](VertexId v) {
+  const auto starting_at = [&](ContourId v) {
     const auto found = std::lower_bound(segments.begin(), segments.end(), v,
-                                        [](const auto& s, VertexId id) { return s.from < id; });
+                                        [](const auto& s, ContourId id) { return s.from < id; });
     DELISO_CHECK(found != segments.end() && found->from == v);
     return static_cast<std::size_t>(found - segments.begin());
   };
@@ -57,7 +57,8 @@ BoundaryChains chain_segments(std::vector<BoundarySegment> segments) {
 }
 
 // Returns the chains of kept components, with new numbers.
-BoundaryChains kept_chains(const BoundaryChains& all, const std::vector<VertexId>& new_vertex,
+BoundaryChains kept_chains(const BoundaryChains& all,
+                           const IdArray<ContourId, ContourId>& new_vertex,
                            const std::vector<std::uint32_t>& new_component) {
   BoundaryChains kept;
   for (std::size_t c = 0; c < all.size(); ++c) {
@@ -113,9 +114,9 @@ void keep_components(ContourMesh& contour, std::span<const std::uint8_t> kept) {
   }
   contour.summary.components = std::move(components);
 
-  std::vector<VertexId> new_vertex(contour.points.size(), kNoId);
-  VertexId next = 0;
-  for (VertexId v = 0; v < new_vertex.size(); ++v) {
+  IdArray<ContourId, ContourId> new_vertex(contour.points.size(), kNoId);
+  ContourId next = 0;
+  for (ContourId v = 0; v < new_vertex.size(); ++v) {
     if (!kept[contour.component[v]]) continue;
     contour.points[next] = contour.points[v];
     contour.component[next] = new_component[contour.component[v]];
@@ -125,8 +126,8 @@ void keep_components(ContourMesh& contour, std::span<const std::uint8_t> kept) {
   contour.points.resize(next);
   contour.component.resize(next);
   contour.box_faces.resize(next);
-  std::erase_if(contour.triangles, [&](std::array<VertexId, 3>& triangle) {
-    for (VertexId& v : triangle) v = new_vertex[v];
+  std::erase_if(contour.triangles, [&](ContourTriangle& triangle) {
+    for (ContourId& v : triangle) v = new_vertex[v];
     return triangle[0] == kNoId;
   });
   contour.crowded.clear();  // numbers of triangles

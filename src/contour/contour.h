@@ -87,22 +87,25 @@ std::vector<std::uint8_t> chosen_components(const ContourSummary& summary,
 // lies on the left seen from g < kappa. Each starts at its smallest vertex.
 struct BoundaryChains {
   std::vector<std::uint32_t> first{0};
-  std::vector<VertexId> vertices;
+  std::vector<ContourId> vertices;
   std::vector<BoxFace> face;              // of the segment from this vertex to the next
   std::vector<std::uint8_t> on_box_edge;  // the curve turns from one face to another at this vertex
   std::vector<std::uint32_t> component;   // one per chain
 
   std::size_t size() const { return component.size(); }
-  std::span<const VertexId> chain(std::size_t c) const {
+  std::span<const ContourId> chain(std::size_t c) const {
     return std::span(vertices).subspan(first[c], first[c + 1] - first[c]);
   }
 };
 
+// Corners of a triangle of T.
+using ContourTriangle = std::array<ContourId, 3>;
+
 struct ContourMesh {
-  std::vector<Vec3> points;
-  std::vector<std::uint32_t> component;  // per vertex, index into summary.components
-  std::vector<std::uint8_t> box_faces;   // per vertex, bit f: on box face f; two bits on a box edge
-  std::vector<std::array<VertexId, 3>> triangles;
+  IdArray<ContourId, Vec3> points;
+  IdArray<ContourId, std::uint32_t> component;  // index into summary.components
+  IdArray<ContourId, std::uint8_t> box_faces;   // bit f: on box face f; two bits on a box edge
+  std::vector<ContourTriangle> triangles;
   BoundaryChains boundary;
   ContourSummary summary;
   std::uint64_t split_voxels = 0;    // voxels that were split
@@ -115,7 +118,7 @@ struct ContourMesh {
   };
   std::vector<VoxelTriangles> crowded;
 
-  bool on_boundary(VertexId v) const { return box_faces[v] != 0; }
+  bool on_boundary(ContourId v) const { return box_faces[v] != 0; }
 };
 
 // Returns T, from one pass over the samples. T is empty if the volume has no voxels (a dimension of

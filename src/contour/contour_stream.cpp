@@ -90,7 +90,7 @@ class ContourStream {
 
  private:
   struct Slot {
-    VertexId vertex;
+    ContourId vertex;
     std::uint32_t label;  // kNoId before its first voxel
   };
   const std::uint64_t* row(int j, int k) const { return layers_[k & 1].row(j); }
@@ -118,7 +118,7 @@ class ContourStream {
     Index3 end = sample;
     ++end[axis];
     const unsigned faces = outer_faces(sample, dims_) & ~(3u << (2 * axis));
-    const VertexId vertex =
+    const ContourId vertex =
         sink_.crossing(axis, sample, value(sample), value(end), static_cast<std::uint8_t>(faces));
     slots(axis, sample.k)[in_layer(sample.i, sample.j)] = {vertex, kNoId};
   }
@@ -205,7 +205,7 @@ class ContourStream {
 
   // Writes the loop's vertices to `out` and makes them one component, united with that of `label`
   // unless it is kNoId. Returns its root.
-  std::uint32_t join(Index3 voxel, std::span<const std::uint8_t> edges, VertexId* out,
+  std::uint32_t join(Index3 voxel, std::span<const std::uint8_t> edges, ContourId* out,
                      std::uint32_t label) {
     const std::size_t place = in_layer(voxel.i, voxel.j);
     std::array<Slot*, 12> slots;
@@ -227,7 +227,7 @@ class ContourStream {
   }
 
   void count_sides(Index3 voxel, const VoxelLoops& loops, int l,
-                   const std::array<VertexId, 12>& vertex, std::uint32_t label) {
+                   const std::array<ContourId, 12>& vertex, std::uint32_t label) {
     const int first = loops.first[l], end = loops.first[l + 1];
     auto& counts = found_.components.counts(label);
     counts.half_sides += static_cast<std::uint64_t>(end - first);

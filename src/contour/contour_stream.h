@@ -23,17 +23,17 @@ struct VoxelPieces {
   const Corners& corners;  // values minus kappa
   const VoxelLoops& loops;
   Tube tube;
-  std::array<VertexId, 12> vertex;             // on each of loops.edge
+  std::array<ContourId, 12> vertex;            // on each of loops.edge
   std::array<std::uint32_t, kMaxLoops> label;  // of each loop's component
 
-  std::span<const VertexId> vertices(int loop) const {
+  std::span<const ContourId> vertices(int loop) const {
     return std::span(vertex).subspan(loops.first[loop], loops.edges(loop).size());
   }
 };
 
 // A segment of T on the box, directed as in its triangle.
 struct BoundarySegment {
-  VertexId from, to;
+  ContourId from, to;
   std::uint32_t component;  // a label, later a component's number
   BoxFace face;
 };
@@ -48,8 +48,8 @@ class ContourSink {
 
   // The grid edge from `sample` along `axis` is crossed and lies on these faces of the box. Its
   // ends have the values c0 and c1, minus kappa. Returns an id, unique among crossings on the box.
-  virtual VertexId crossing(int axis, Index3 sample, double c0, double c1,
-                            std::uint8_t box_faces) = 0;
+  virtual ContourId crossing(int axis, Index3 sample, double c0, double c1,
+                             std::uint8_t box_faces) = 0;
   // An active voxel, once all its crossings are known.
   virtual void voxel(const VoxelPieces& pieces) = 0;
   // May replace the walk's segments on the box, in the end.

@@ -63,10 +63,10 @@ std::vector<std::uint64_t> crossed_voxels(const ContourMesh& contour, IsSelected
     triangles.clear();
     boxes.clear();
     for (std::size_t t = crowd.first; t < crowd.end; ++t) {
-      const Triangle& v = contour.triangles[t];
+      const ContourTriangle& v = contour.triangles[t];
       const Vec3 &a = contour.points[v[0]], &b = contour.points[v[1]], &c = contour.points[v[2]];
       if (collinear(a, b, c)) continue;
-      triangles.push_back(v);
+      triangles.push_back(triangle_of(v[0], v[1], v[2]));
       boxes.push_back(box_of(a, b, c));
     }
     const auto meets_earlier = [&](std::size_t g) {
@@ -104,12 +104,12 @@ std::vector<std::uint64_t> with_neighbors(const std::vector<std::uint64_t>& voxe
 // cells round to one place. Facets there would have no area. None was found on the box in tests.
 void perturb_coincident(ContourMesh& contour, double perturbation) {
   const std::vector<VertexId> first = first_at_place(contour.points);
-  for (VertexId v = 0; v < first.size(); ++v) {
-    if (first[v] == v) continue;
+  for (ContourId v = 0; v < first.size(); ++v) {
+    if (first[v].number() == v.number()) continue;
     Vec3 along;
-    for (const Triangle& t : contour.triangles) {
+    for (const ContourTriangle& t : contour.triangles) {
       if (!has_corner(t, v)) continue;
-      for (const VertexId u : t) along = along + (contour.points[u] - contour.points[v]);
+      for (const ContourId u : t) along = along + (contour.points[u] - contour.points[v]);
     }
     const double size = length(along);
     if (contour.on_boundary(v) || !(size > 0)) continue;

@@ -46,8 +46,8 @@ class PieceMesher final : public ContourSink {
   // Returns the position of a sample, in voxels.
   Vec3 place(Index3 sample) const { return to_vec3(first_ + sample); }
 
-  VertexId crossing(int axis, Index3 sample, double c0, double c1,
-                    std::uint8_t box_faces) override {
+  ContourId crossing(int axis, Index3 sample, double c0, double c1,
+                     std::uint8_t box_faces) override {
     Vec3 p = place(sample);
     p[axis] += std::clamp(c0 / (c0 - c1), kCrossingMargin, 1 - kCrossingMargin);
     return add_at(p, box_faces);
@@ -88,12 +88,12 @@ class PieceMesher final : public ContourSink {
   }
 
   // Adds a vertex at p, in voxels. Its component is that of the first piece given with it.
-  VertexId add_at(const Vec3& p, std::uint8_t box_faces, std::uint32_t label = kNoId) {
+  ContourId add_at(const Vec3& p, std::uint8_t box_faces, std::uint32_t label = kNoId) {
     if (mesh_.points.size() >= kNoId) throw InputError("the contour has 2^32 vertices or more");
     mesh_.points.push_back(times(p, spacing_));
     mesh_.box_faces.push_back(box_faces);
     mesh_.component.push_back(label);
-    return VertexId(mesh_.points.size() - 1);
+    return ContourId(mesh_.points.size() - 1);
   }
 
  private:
@@ -128,7 +128,7 @@ class PieceMesher final : public ContourSink {
     for (std::size_t k = 0; k < n; ++k) faces |= 1u << pieces.loops.face[k];
     if (pieces.loops.count != 1 || static_cast<std::size_t>(std::popcount(faces)) != n)
       return false;
-    const std::span<const VertexId> loop = pieces.vertices(0);
+    const std::span<const ContourId> loop = pieces.vertices(0);
     std::array<Vec3, 6> points;
     for (std::size_t i = 0; i < n; ++i) points[i] = mesh_.points[loop[i]];
     const auto after = [&](std::size_t i, std::size_t k) { return i + k < n ? i + k : i + k - n; };
@@ -146,7 +146,7 @@ class PieceMesher final : public ContourSink {
       least = std::min(least, chords);
     }
     if (has_short_edge && is_thin(voxel)) return false;
-    for (const VertexId v : loop) mesh_.component[v] = pieces.label[0];
+    for (const ContourId v : loop) mesh_.component[v] = pieces.label[0];
     for (std::size_t k = 1; k + 1 < n; ++k) {
       mesh_.triangles.push_back({loop[from], loop[after(from, k)], loop[after(from, k + 1)]});
     }
@@ -154,10 +154,10 @@ class PieceMesher final : public ContourSink {
   }
 
   // Makes a triangle, or a star around one more point of Sigma. `c` are the cell's corners.
-  void disk(const CellFrame& cell, const Corners& c, std::span<const VertexId> loop,
+  void disk(const CellFrame& cell, const Corners& c, std::span<const ContourId> loop,
             std::uint32_t label) {
     Vec3 sum;
-    for (const VertexId v : loop) {
+    for (const ContourId v : loop) {
       mesh_.component[v] = label;
       sum = sum + mesh_.points[v];
     }
@@ -166,9 +166,9 @@ class PieceMesher final : public ContourSink {
       return;
     }
     const Vec3 center = local(cell, sum / static_cast<double>(loop.size()));
-    const VertexId apex = add_inner(cell, VoxelPatch(c).surface_point_near(center), label);
-    VertexId previous = loop.back();
-    for (const VertexId v : loop) {
+    const ContourId apex = add_inner(cell, VoxelPatch(c).surface_point_near(center), label);
+    ContourId previous = loop.back();
+    for (const ContourId v : loop) {
       mesh_.triangles.push_back({previous, v, apex});
       previous = v;
     }
@@ -177,10 +177,10 @@ class PieceMesher final : public ContourSink {
   // Makes a band between the loops, one forwards and the other backwards, cut along the shortest
   // chords between them. Chords get a point of Sigma in the middle. So the band follows the neck,
   // and no chord lies in a face, where the voxel across might have the same chord.
-  void tube(const CellFrame& cell, const Corners& c, std::span<const VertexId> a,
-            std::span<const VertexId> b, std::uint32_t label) {
-    for (const VertexId v : a) mesh_.component[v] = label;
-    for (const VertexId v : b) mesh_.component[v] = label;
+  void tube(const CellFrame& cell, const Corners& c, std::span<const ContourId> a,
+            std::span<const ContourId> b, std::uint32_t label) {
+    for (const ContourId v : a) mesh_.component[v] = label;
+    for (const ContourId v : b) mesh_.component[v] = label;
     const VoxelPatch patch(c);
     const std::size_t n = a.size(), m = b.size();
     const auto forwards = [&](std::size_t i) { return a[i % n]; };
@@ -197,13 +197,13 @@ class PieceMesher final : public ContourSink {
       return add_inner(cell, patch.surface_point_near(p), label);
     };
     const std::size_t i_end = i + n, j_end = j + m;
-    const VertexId start = middle();
-    VertexId ring = start;
+    const ContourId start = middle();
+    ContourId ring = start;
     while (i < i_end || j < j_end) {
       const bool along_a = j == j_end || (i < i_end && chord2(i + 1, j) <= chord2(i, j + 1));
-      const VertexId p = forwards(i), q = backwards(j);
+      const ContourId p = forwards(i), q = backwards(j);
       ++(along_a ? i : j);
-      const VertexId next = i == i_end && j == j_end ? start : middle();
+      const ContourId next = i == i_end && j == j_end ? start : middle();
       if (along_a) {
         mesh_.triangles.push_back({p, forwards(i), next});
         mesh_.triangles.push_back({p, next, ring});
@@ -217,12 +217,12 @@ class PieceMesher final : public ContourSink {
     }
   }
 
-  VertexId add_inner(const CellFrame& cell, const Vec3& u, std::uint32_t label) {
+  ContourId add_inner(const CellFrame& cell, const Vec3& u, std::uint32_t label) {
     return add_at(cell.low + times(u, cell.size), 0, label);
   }
 
   // Return coordinates in the cell.
-  Vec3 local(const CellFrame& cell, VertexId v) const { return local(cell, mesh_.points[v]); }
+  Vec3 local(const CellFrame& cell, ContourId v) const { return local(cell, mesh_.points[v]); }
   Vec3 local(const CellFrame& cell, const Vec3& p) const {
     return divided(divided(p, spacing_) - cell.low, cell.size);
   }

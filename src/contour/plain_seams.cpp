@@ -45,13 +45,13 @@ void make_seams_plain(ContourMesh& contour, const Volume& block) {
       plain.face.push_back(chains.face[first + k]);
       plain.on_box_edge.push_back(chains.on_box_edge[first + k]);
       // The polyline from here runs along edges of triangles; these run along the other way.
-      const VertexId from = vertex(k);
+      const ContourId from = vertex(k);
       for (std::size_t m = k + 1; goes(m); ++m) {
         contour.triangles.push_back({vertex(m + 1), vertex(m), from});
       }
     }
     for (const std::size_t k : lifted) {
-      const VertexId v = vertex(k);
+      const ContourId v = vertex(k);
       contour.points[v] = contour.points[v] + off * inwards(contour.box_faces[v]);
       contour.box_faces[v] = 0;
     }

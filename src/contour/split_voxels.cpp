@@ -40,8 +40,8 @@ class SplitMesher final : public ContourSink {
   // Split voxels whose cells have another topology. If there are any, the mesh is of no use.
   VoxelNumbers disagreeing;
 
-  VertexId crossing(int axis, Index3 sample, double c0, double c1,
-                    std::uint8_t box_faces) override {
+  ContourId crossing(int axis, Index3 sample, double c0, double c1,
+                     std::uint8_t box_faces) override {
     return mesher_.crossing(axis, sample, c0, c1, box_faces);
   }
 
@@ -78,7 +78,7 @@ class SplitMesher final : public ContourSink {
 
   // Replaces the segments of split voxels by those of their cells.
   void replace_boundary(std::vector<BoundarySegment>& segments) override {
-    std::vector<VertexId> starts = replaced_;
+    std::vector<ContourId> starts = replaced_;
     std::sort(starts.begin(), starts.end());
     std::erase_if(segments, [&](const BoundarySegment& s) {
       return std::binary_search(starts.begin(), starts.end(), s.from);
@@ -92,7 +92,7 @@ class SplitMesher final : public ContourSink {
     explicit Cells(Index3 factor) : fine(factor), vertex(fine.slots()), label(fine.slots()) {}
 
     FineVoxel fine;
-    std::vector<VertexId> vertex;      // by slot
+    std::vector<ContourId> vertex;     // by slot
     std::vector<std::uint32_t> label;  // by piece
   };
   // For the faces of a voxel that Sigma crosses, whether a voxel at the face is split.
@@ -109,7 +109,7 @@ class SplitMesher final : public ContourSink {
   }
 
   // Returns the first id on the face between `low_voxel` and the next one along the axis.
-  VertexId& first_on_face(int axis, Index3 low_voxel) {
+  ContourId& first_on_face(int axis, Index3 low_voxel) {
     if (axis == 0) return first_across_x_;
     const auto [i, j, k] = low_voxel;
     return axis == 1 ? first_across_y_[i] : first_across_z_[i + first_across_y_.size() * j];
@@ -120,7 +120,7 @@ class SplitMesher final : public ContourSink {
     const bool high = (f & 1) != 0, on_box = (outer_faces(voxel, voxels_) >> f & 1) != 0;
     const auto slots = cells_.fine.crossed_on_face(f);
     if (!high && !on_box) {
-      VertexId id = first_on_face(axis, voxel);
+      ContourId id = first_on_face(axis, voxel);
       for (const auto slot : slots) cells_.vertex[slot] = id++;
       return;
     }
@@ -129,7 +129,7 @@ class SplitMesher final : public ContourSink {
     if (!on_box) first_on_face(axis, voxel) = slots.empty() ? kNoId : cells_.vertex[slots[0]];
   }
 
-  VertexId add_crossing(Index3 voxel, FineVoxel::Slot slot, int box_faces) {
+  ContourId add_crossing(Index3 voxel, FineVoxel::Slot slot, int box_faces) {
     const Vec3 u = cells_.fine.crossing(slot);
     return mesher_.add_at(mesher_.place(voxel) + u, static_cast<std::uint8_t>(box_faces));
   }
@@ -170,7 +170,7 @@ class SplitMesher final : public ContourSink {
         const std::uint8_t face = p.loops.face[n];
         if ((outer >> face & 1) == 0) continue;
         replaced_.push_back(p.vertex[n]);
-        VertexId from = p.vertex[n];
+        ContourId from = p.vertex[n];
         cells_.fine.for_each_after(p.loops.edge[n], [&](FineVoxel::Slot slot) {
           boundary_.push_back({from, cells_.vertex[slot], p.label[l], face});
           from = cells_.vertex[slot];
@@ -180,7 +180,7 @@ class SplitMesher final : public ContourSink {
   }
 
   void mesh_beside(const VoxelPieces& p, const SplitFaces& at) {
-    std::array<std::vector<VertexId>, kMaxLoops> loop;
+    std::array<std::vector<ContourId>, kMaxLoops> loop;
     std::size_t vertices = 0;
     for (int l = 0; l < p.loops.count; ++l) {
       for (int n = p.loops.first[l]; n < p.loops.first[l + 1]; ++n) {
@@ -195,7 +195,7 @@ class SplitMesher final : public ContourSink {
     const CellFrame frame{mesher_.place(p.voxel), {1, 1, 1}};
     // Without a neighbor's crossings on its faces it is as any voxel.
     if (vertices == p.loops.first[p.loops.count]) return mesher_.cell(frame, p, p);
-    mesher_.fill(frame, p, [&](int l) { return std::span<const VertexId>(loop[l]); });
+    mesher_.fill(frame, p, [&](int l) { return std::span<const ContourId>(loop[l]); });
   }
 
   ContourMesh& mesh_;
@@ -203,10 +203,10 @@ class SplitMesher final : public ContourSink {
   const VoxelNumbers& listed_;
   Cells cells_;
   Index3 dims_, voxels_;
-  std::vector<VertexId> first_across_y_, first_across_z_;  // first ids on the faces ahead
-  VertexId first_across_x_ = kNoId;
+  std::vector<ContourId> first_across_y_, first_across_z_;  // first ids on the faces ahead
+  ContourId first_across_x_ = kNoId;
   std::vector<BoundarySegment> boundary_;
-  std::vector<VertexId> replaced_;  // start vertices of replaced segments
+  std::vector<ContourId> replaced_;  // start vertices of replaced segments
 };
 
 }  // namespace

@@ -31,7 +31,7 @@ SurfaceMesh delaunay_mesh(const Isosurface& surface, ContourMesh& contour,
   Observer* const observer = follower(parameters.observer);
   if (observer) observer->run_begins(parameters, report);
   SurfaceMesh mesh = contour_as_mesh(contour);
-  contour.triangles = std::vector<Triangle>();
+  contour.triangles = std::vector<ContourTriangle>();
   if (observer) observer->contour_ready(mesh);
   coarsen(mesh, surface, curves, parameters, report);
   if (observer) observer->mesh_handed_over(mesh);

@@ -64,7 +64,8 @@ inline int corner_index(const Face& f, VertexId v) {
   return static_cast<int>(f.v[1] == v) | static_cast<int>(f.v[2] == v) << 1;
 }
 
-inline bool has_corner(const Triangle& t, VertexId v) {
+template <class Id>
+bool has_corner(const std::array<Id, 3>& t, Id v) {
   return t[0] == v || t[1] == v || t[2] == v;
 }
 

@@ -58,7 +58,7 @@ class Observer {
   // The certified Stage 1 (recover/certified.h), in place of sample_ready() and asks(). The
   // vertex `v` of T shall be a site, for the sake of the site `q`.
   virtual void labels_ready(const Labels&, const Box3& /*domain*/, const Report&) {}
-  virtual void asks_site(Reason, SiteId /*q*/, VertexId /*v*/) {}
+  virtual void asks_site(Reason, SiteId /*q*/, ContourId /*v*/) {}
 
   // Stage 2.
   virtual void mesh_ready(const SurfaceMesh&) {}

@@ -5,10 +5,10 @@
 
 namespace deliso {
 
-VertexId Certificate::furthest_between(SiteId a, SiteId b) const {
-  VertexId furthest = kNoId;
-  for (const VertexId v : labels_.region(a)) {
-    for (const VertexId u : labels_.ring(v)) {
+ContourId Certificate::furthest_between(SiteId a, SiteId b) const {
+  ContourId furthest = kNoId;
+  for (const ContourId v : labels_.region(a)) {
+    for (const ContourId u : labels_.ring(v)) {
       if (labels_.label(u) != b) continue;
       furthest = labels_.further(labels_.further(furthest, v), u);
     }
@@ -16,17 +16,17 @@ VertexId Certificate::furthest_between(SiteId a, SiteId b) const {
   return furthest;
 }
 
-Certificate::Region Certificate::count_region(SiteId a, VertexId at,
+Certificate::Region Certificate::count_region(SiteId a, ContourId at,
                                               std::vector<DualFacet>& facets) {
   Region r;
   interfaces_.clear();
   facets.clear();
   // One breadth-first pass from the site's own vertex. Every neighbor in the region is written at
   // reached[count]; it stays there only if it was not visited before.
-  const IdArray<VertexId, SiteId>& label = labels_.all();
-  IdArray<VertexId, std::uint32_t>& visited = visited_;
+  const IdArray<ContourId, SiteId>& label = labels_.all();
+  IdArray<ContourId, std::uint32_t>& visited = visited_;
   reached_.resize(std::max(reached_.size(), labels_.region(a).size() + 1));
-  const std::span<VertexId> reached = reached_;
+  const std::span<ContourId> reached = reached_;
   const std::uint32_t now = ++checks_;
   reached[0] = at;
   visited[at] = now;
@@ -34,9 +34,9 @@ Certificate::Region Certificate::count_region(SiteId a, VertexId at,
   // An inner edge is met from both ends, a triangle once from each of its vertices in the region.
   long edges_twice = 0, faces_thrice = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    const VertexId v = reached[k];
-    const std::span<const VertexId> ring = labels_.ring(v);
-    for (const VertexId u : ring) {
+    const ContourId v = reached[k];
+    const std::span<const ContourId> ring = labels_.ring(v);
+    for (const ContourId u : ring) {
       if (label[u] != a) continue;
       reached[count] = u;
       count += visited[u] != now;
@@ -45,7 +45,7 @@ Certificate::Region Certificate::count_region(SiteId a, VertexId at,
     const bool on_boundary = labels_.contour().on_boundary(v);
     const std::size_t triangles = ring.size() - on_boundary;
     for (std::size_t n = 0; n < triangles; ++n) {  // the edge (v, u), the triangle (v, u, w)
-      const VertexId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
+      const ContourId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
       const SiteId b = label[u], c = label[w];
       if (b == a) {
         ++edges_twice;
@@ -79,26 +79,26 @@ Certificate::Region Certificate::count_region(SiteId a, VertexId at,
   return r;
 }
 
-Verdict Certificate::check(SiteId a, VertexId at, std::vector<DualFacet>& facets) {
+Verdict Certificate::check(SiteId a, ContourId at, std::vector<DualFacet>& facets) {
   using paper::Reason;
   const Region r = count_region(a, at, facets);
-  const std::span<const VertexId> all = labels_.region(a);
+  const std::span<const ContourId> all = labels_.region(a);
   const ContourMesh& contour = labels_.contour();
   const auto furthest_if = [&](auto&& is_meant) {
-    VertexId furthest = kNoId;
-    for (const VertexId v : all) {
+    ContourId furthest = kNoId;
+    for (const ContourId v : all) {
       if (is_meant(v)) furthest = labels_.further(furthest, v);
     }
     return furthest;
   };
   // C1
   if (r.V != static_cast<long>(all.size())) {
-    return {Reason::region, furthest_if([&](VertexId v) { return visited_[v] != checks_; })};
+    return {Reason::region, furthest_if([&](ContourId v) { return visited_[v] != checks_; })};
   }
   if (r.V - r.E + r.F != 1) return {Reason::region, labels_.furthest(all)};
   // C4
   if (r.boundary_V > 0 && (!contour.on_boundary(at) || r.boundary_V - r.boundary_E != 1)) {
-    return {Reason::boundary, furthest_if([&](VertexId v) { return contour.on_boundary(v); })};
+    return {Reason::boundary, furthest_if([&](ContourId v) { return contour.on_boundary(v); })};
   }
   for (const Interface& i : interfaces_) {
     if (i.boundary_E > 1) return {Reason::boundary, furthest_between(a, i.site)};  // C4

@@ -26,14 +26,14 @@ struct Verdict {
   std::optional<paper::Reason> violation;  // region, interface, triple or boundary
   // The vertex of T to insert: the furthest from its site in the stray piece, region, interface,
   // triple or boundary arc. kNoId: every vertex there is a site already.
-  VertexId insert = kNoId;
+  ContourId insert = kNoId;
 };
 
 // A facet of the dual, and the triangle of T on which the labels of its sites meet. Both have the
 // same orientation. The site that was checked comes first.
 struct DualFacet {
   SiteTriangle sites;
-  std::array<VertexId, 3> t_triangle;
+  ContourTriangle t_triangle;
 };
 
 // Tests sites against C1 to C4.
@@ -44,7 +44,7 @@ class Certificate {
 
   // Tests C1 to C4 at `site`, whose own vertex of T is `at`. Sets `facets` to the dual facets
   // there, each with that site first. Cost: linear in the triangles at L(a).
-  Verdict check(SiteId site, VertexId at, std::vector<DualFacet>& facets);
+  Verdict check(SiteId site, ContourId at, std::vector<DualFacet>& facets);
 
  private:
   // What C1 and C4 count in R(a): the part that is connected to the site.
@@ -57,7 +57,7 @@ class Certificate {
     long E = 0, F = 0, boundary_E = 0;
   };
   // Counts the region, sets interfaces_ and `facets`.
-  Region count_region(SiteId a, VertexId at, std::vector<DualFacet>& facets);
+  Region count_region(SiteId a, ContourId at, std::vector<DualFacet>& facets);
   Interface& interface_with(SiteId site) {
     for (Interface& known : interfaces_) {
       if (known.site == site) return known;
@@ -65,12 +65,12 @@ class Certificate {
     return interfaces_.emplace_back(Interface{site});
   }
   // Returns the vertex furthest from its site among the vertices of a and b where they meet.
-  VertexId furthest_between(SiteId a, SiteId b) const;
+  ContourId furthest_between(SiteId a, SiteId b) const;
 
   const Labels& labels_;
-  IdArray<VertexId, std::uint32_t> visited_;  // the last check that reached it
+  IdArray<ContourId, std::uint32_t> visited_;  // the last check that reached it
   std::uint32_t checks_ = 0;
-  std::vector<VertexId> reached_;  // never shrinks
+  std::vector<ContourId> reached_;  // never shrinks
   std::vector<Interface> interfaces_;
 };
 

@@ -24,12 +24,12 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 Triangulation first_sites(const ContourMesh& contour, const Box3& box,
                           const paper::Options& options) {
   std::vector<Vec3> sample;
-  for (VertexId v = 0; v < contour.points.size(); ++v) {
+  for (ContourId v = 0; v < contour.points.size(); ++v) {
     if (contour.on_boundary(v)) sample.push_back(contour.points[v]);
   }
   Random random(options.seed);
   for (std::size_t n = 0; n < std::max<std::size_t>(options.lines, 1); ++n) {  // a label needs one
-    const VertexId v(random.below(static_cast<std::uint32_t>(contour.points.size())));
+    const ContourId v(random.below(static_cast<std::uint32_t>(contour.points.size())));
     sample.push_back(contour.points[v]);
   }
   append_auxiliary(box, sample);
@@ -53,7 +53,7 @@ class CertifiedSites {
         sites_(del_.vertex_capacity()),
         labels_(contour, del_),
         certificate_(labels_) {
-    for (VertexId v = 0; v < contour.points.size(); ++v) {
+    for (ContourId v = 0; v < contour.points.size(); ++v) {
       Site& site = sites_[labels_.label(v)];
       if (!labels_.is_site(v) || site.at != kNoId) continue;
       site.at = v;
@@ -69,7 +69,7 @@ class CertifiedSites {
   // Returns the facets of K, by sites: where three labels of a triangle of T are different.
   std::vector<Triangle> dual_facets() const {
     std::vector<Triangle> facets;
-    for (const Triangle& t : contour_.triangles) {
+    for (const ContourTriangle& t : contour_.triangles) {
       const SiteTriangle v{labels_.label(t[0]), labels_.label(t[1]), labels_.label(t[2])};
       if (v[0] != v[1] && v[1] != v[2] && v[2] != v[0]) facets.push_back(as_mesh_triangle(v));
     }
@@ -78,7 +78,7 @@ class CertifiedSites {
 
  private:
   struct Site {
-    VertexId at = kNoId;  // its vertex of T; kNoId: an auxiliary one
+    ContourId at = kNoId;  // its vertex of T; kNoId: an auxiliary one
     bool is_queued = false;
     bool is_uncertified = false;  // the certificate fails here, and no vertex can be inserted
   };
@@ -86,10 +86,10 @@ class CertifiedSites {
     if (!std::exchange(sites_[s].is_queued, true)) stack_.push_back(s);
   }
   // Makes the vertex v of T a site, unless another is there.
-  void add_site(VertexId v);
+  void add_site(ContourId v);
   // Of facets_, those whose first site has the smallest number: returns why one is bad, and a
   // vertex of T to insert; kNoId: there is none.
-  std::pair<paper::Reason, VertexId> bad_facet(double epsilon);
+  std::pair<paper::Reason, ContourId> bad_facet(double epsilon);
 
   const ContourMesh& contour_;
   const paper::Sigma& sigma_;
@@ -108,7 +108,7 @@ class CertifiedSites {
   std::vector<SiteId> neighbors_;
 };
 
-void CertifiedSites::add_site(VertexId v) {
+void CertifiedSites::add_site(ContourId v) {
   const Vec3& p = contour_.points[v];
   del_.find_conflicts(p, del_.incident_cell(labels_.label(v)), zone_);
   if (zone_.duplicate != kNoId) return;
@@ -126,8 +126,8 @@ void CertifiedSites::add_site(VertexId v) {
   queue(s);
   for (const SiteId n : changed) queue(n);
   // Sites adjacent to a relabeled vertex have a new neighbor.
-  for (const VertexId u : labels_.region(s)) {
-    for (const VertexId w : labels_.ring(u)) queue(labels_.label(w));
+  for (const ContourId u : labels_.region(s)) {
+    for (const ContourId w : labels_.ring(u)) queue(labels_.label(w));
   }
   ++report_.insertions_recover;
   if (options_.observer) options_.observer->site_added(s);
@@ -135,9 +135,9 @@ void CertifiedSites::add_site(VertexId v) {
 
 // V_sigma meets T near the triangle where the three labels meet, so a corner of that stands for x,
 // which is no vertex of T.
-std::pair<paper::Reason, VertexId> CertifiedSites::bad_facet(double epsilon) {
+std::pair<paper::Reason, ContourId> CertifiedSites::bad_facet(double epsilon) {
   for (const DualFacet& f : facets_) {
-    const VertexId v = labels_.furthest(f.t_triangle);
+    const ContourId v = labels_.furthest(f.t_triangle);
     if (v == kNoId || f.sites[1] < f.sites[0] || f.sites[2] < f.sites[0]) continue;
     const Vec3 &a = del_.point(f.sites[0]), &b = del_.point(f.sites[1]),
                &c = del_.point(f.sites[2]);

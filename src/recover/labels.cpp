@@ -36,12 +36,12 @@ std::vector<std::vector<Neighbor>> neighbors_of_all(const Triangulation& t) {
 ContourGraph::ContourGraph(const ContourMesh& contour) : first_(contour.points.size() + 1, 0) {
   // A triangle (v, next, previous) seen from its vertex v.
   struct Wedge {
-    VertexId next, previous;
+    ContourId next, previous;
   };
   for (const auto& t : contour.triangles) {
-    for (const VertexId v : t) ++first_[v + 1];
+    for (const ContourId v : t) ++first_[v + 1];
   }
-  for (VertexId v = 0; v < contour.points.size(); ++v) {
+  for (ContourId v = 0; v < contour.points.size(); ++v) {
     first_[v + 1] += first_[v] + contour.on_boundary(v);  // has one neighbor more than triangles
   }
   std::vector<Wedge> wedges(first_.back());
@@ -50,14 +50,14 @@ ContourGraph::ContourGraph(const ContourMesh& contour) : first_(contour.points.s
     for (std::size_t i = 0; i < 3; ++i) wedges[end[t[i]]++] = {t[(i + 1) % 3], t[(i + 2) % 3]};
   }
   rings_.resize(first_.back());
-  for (VertexId v = 0; v < contour.points.size(); ++v) {
+  for (ContourId v = 0; v < contour.points.size(); ++v) {
     const std::span<Wedge> at = std::span(wedges).subspan(first_[v], end[v] - first_[v]);
-    VertexId* ring = rings_.data() + first_[v];
+    ContourId* ring = rings_.data() + first_[v];
     // A boundary ring begins at the triangle with no triangle before it.
     const auto begins = [&](const Wedge& w) {
       return std::ranges::find(at, w.next, &Wedge::previous) == at.end();
     };
-    VertexId next = contour.on_boundary(v) ? std::ranges::find_if(at, begins)->next : at[0].next;
+    ContourId next = contour.on_boundary(v) ? std::ranges::find_if(at, begins)->next : at[0].next;
     for (std::size_t k = 0; k < at.size(); ++k) {
       std::size_t found = k;
       while (found + 1 < at.size() && at[found].next != next) ++found;
@@ -79,7 +79,7 @@ Labels::Labels(const ContourMesh& contour, const Triangulation& t)
       radius2_(t.vertex_capacity(), 0) {
   const std::vector<std::vector<Neighbor>> neighbors = neighbors_of_all(t);
   SiteId site = 1;
-  for (VertexId v = 0; v < label_.size(); ++v) {
+  for (ContourId v = 0; v < label_.size(); ++v) {
     const Vec3& p = contour.points[v];
     double best2 = distance2(p, t.point(site));
     for (SiteId from = kNoId; from != site;) {
@@ -106,12 +106,12 @@ std::vector<SiteId> Labels::add_site(SiteId site, std::span<const SiteId> neighb
   regions_.resize(std::max<std::size_t>(regions_.size(), site + 1));
   radius2_.resize(regions_.size(), 0);
   const Vec3 point = triangulation_.point(site);
-  std::vector<VertexId> own;
+  std::vector<ContourId> own;
   double radius2 = 0;
   for (const SiteId n : neighbors) {
     if (distance2(point, triangulation_.point(n)) > kMaxDistanceRatio2 * radius2_[n]) continue;
-    std::vector<VertexId>& region = regions_[n];
-    const auto kept = std::remove_if(region.begin(), region.end(), [&](VertexId v) {
+    std::vector<ContourId>& region = regions_[n];
+    const auto kept = std::remove_if(region.begin(), region.end(), [&](ContourId v) {
       const double d2 = distance2(contour_.points[v], point);
       if (d2 >= distance2_[v]) return false;
       distance2_[v] = d2;

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include "coarsen/contour_as_mesh.h"
 #include "deliso/fields.h"
 #include "volume/sampled.h"
 
@@ -110,7 +111,7 @@ TEST_CASE("brute force finds the same near vertices, whatever the number of thre
   for (const int stretch : {1, 100}) {
     const Scene scene = wave_scene(7, 14, {1, 1, 1.0 * stretch});
     const std::vector<Vec3>& points = scene.contour.points;
-    const std::vector<Triangle>& triangles = scene.contour.triangles;
+    const std::vector<Triangle> triangles = contour_as_mesh(scene.contour).mesh.triangles();
     const ClosePlaces found = found_in(points, triangles, scene.volume);
     const Vec3 size = scene.volume.box().size();
     const double limit = kNearShare * std::max({size.x, size.y, size.z});

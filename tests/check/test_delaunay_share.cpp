@@ -8,6 +8,7 @@
 
 #include "cases.h"
 #include "check/mesh_triangulation.h"
+#include "coarsen/contour_as_mesh.h"
 #include "deliso/fields.h"
 #include "mesh/meshes.h"
 
@@ -37,7 +38,7 @@ TEST_CASE("facets and restricted facets are those of a Delaunay triangulation") 
   for (std::uint64_t seed = 1; seed <= test::cases(60u); ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 9, {1, seed % 2 == 0 ? 1.0 : 0.4, 1});
-    TriMesh mesh = make_tri_mesh(scene.contour.points, scene.contour.triangles);
+    TriMesh mesh = contour_as_mesh(scene.contour).mesh;
     Random random(seed);
     for (Vec3& p : mesh.points) {
       for (int axis = 0; axis < 3; ++axis) p[axis] += random.uniform(-0.01, 0.01);

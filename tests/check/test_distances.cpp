@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "coarsen/contour_as_mesh.h"
 #include "deliso/fields.h"
 #include "mesh/meshes.h"
 
@@ -17,7 +18,7 @@ TEST_CASE("the distances of a mesh are those of each triangle by itself") {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 9);
-    TriMesh mesh = make_tri_mesh(scene.contour.points, scene.contour.triangles);
+    TriMesh mesh = contour_as_mesh(scene.contour).mesh;
     Random random(seed);
     for (Vec3& p : mesh.points) {
       for (int axis = 0; axis < 3; ++axis) p[axis] += random.uniform(-0.2, 0.2);

@@ -14,6 +14,7 @@
 #include "base/triangle.h"
 #include "check/solid.h"
 #include "check/voxel_components.h"
+#include "coarsen/contour_as_mesh.h"
 #include "contour/voxel_topology.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
@@ -94,6 +95,14 @@ void remove_unused(Parts& parts) {
     }
   }
   parts.points = std::move(kept);
+}
+
+// pre: `parts` are those of T.
+void remove_component(Parts& parts, const ContourMesh& contour, std::uint32_t component) {
+  std::erase_if(parts.triangles, [&](const Triangle& t) {
+    return contour.component[ContourId(t[0].number())] == component;
+  });
+  remove_unused(parts);
 }
 
 }  // namespace
@@ -444,7 +453,7 @@ TEST_CASE("a component with a cut handle is reported as different") {
       return verify(make_tri_mesh(p.points, p.triangles), scene.volume, scene.surface.kappa(),
                     options);
     };
-    const Parts whole{contour.points, contour.triangles};
+    const Parts whole = parts_of(contour_as_mesh(contour).mesh);
     for (int n = 0; n < 125 && cut < 3; ++n) {
       const Index3 voxel{n % 5, n / 5 % 5, n / 25};
       const VoxelValues values(scene.volume.corners(voxel), scene.surface.kappa());
@@ -454,9 +463,9 @@ TEST_CASE("a component with a cut handle is reported as different") {
           !find_tube(mask, values, loops)) {
         continue;
       }
-      Parts p{contour.points, {}};
+      Parts p{whole.points, {}};
       std::vector<Triangle> tube;
-      for (const Triangle& t : contour.triangles) {
+      for (const Triangle& t : whole.triangles) {
         const Vec3 middle = (p.points[t[0]] + p.points[t[1]] + p.points[t[2]]) / 3;
         const bool within = scene.volume.voxel_at(middle) == voxel;
         (within ? tube : p.triangles).push_back(t);
@@ -497,7 +506,7 @@ TEST_CASE("a component with a cut handle is reported as different") {
 TEST_CASE("a component left out is reported as missing") {
   const Scene scene = wave_scene(3, 24);
   REQUIRE(scene.contour.summary.components.size() > 1);
-  Parts p{scene.contour.points, scene.contour.triangles};
+  Parts p = parts_of(contour_as_mesh(scene.contour).mesh);
   VerifyOptions options;
   options.restricted_share = 0;
   const auto run = [&] {
@@ -505,8 +514,7 @@ TEST_CASE("a component left out is reported as missing") {
                   options);
   };
   REQUIRE(component_kinds_of(run().faults).empty());
-  std::erase_if(p.triangles, [&](const Triangle& t) { return scene.contour.component[t[0]] == 1; });
-  remove_unused(p);
+  remove_component(p, scene.contour, 1);
   const Faults faults = run().faults;
   CHECK(component_kinds_of(faults) == std::vector{FaultKind::missing_components});
   CHECK(faults.count(FaultKind::missing_components) == 1);
@@ -593,9 +601,8 @@ TEST_CASE("a small component left out on request is counted, a larger one is mis
   const Scene scene = wave_scene(3, 24);
   const ContourComponent& c = scene.contour.summary.components[1];
   const int size = 1 + std::max({c.hi.i - c.lo.i, c.hi.j - c.lo.j, c.hi.k - c.lo.k});
-  Parts p{scene.contour.points, scene.contour.triangles};
-  std::erase_if(p.triangles, [&](const Triangle& t) { return scene.contour.component[t[0]] == 1; });
-  remove_unused(p);
+  Parts p = parts_of(contour_as_mesh(scene.contour).mesh);
+  remove_component(p, scene.contour, 1);
   VerifyOptions options;
   options.restricted_share = 0;
   for (const bool allowed : {false, true}) {
@@ -663,9 +670,10 @@ TEST_CASE("a vertex on a component that is left out is a fault, distances from i
   CHECK(sound.from_surface.points == samples);
 
   // The spike is as short as can be, so that it meets no other triangle.
-  VertexId moved = 0, target = kNoId;
+  VertexId moved = 0;
+  ContourId target = kNoId;
   for (VertexId v = 0; v < p.points.size(); ++v) {
-    for (VertexId t = 0; t < contour.points.size(); ++t) {
+    for (ContourId t = 0; t < contour.points.size(); ++t) {
       if (chosen[contour.component[t]]) continue;
       if (target != kNoId && distance2(p.points[v], contour.points[t]) >=
                                  distance2(p.points[moved], contour.points[target])) {
@@ -702,15 +710,16 @@ TEST_CASE("a spike onto another component is a fault, whatever the share of its 
   const std::vector<std::uint32_t> component =
       vertex_components(good.mesh.points.size(), test::triangles_of(good.mesh));
   const ContourMesh contour = build_contour(good.volume, good.kappa);
-  const auto span = [&](VertexId v, VertexId t) {
+  const auto span = [&](VertexId v, ContourId t) {
     return distance(good.mesh.points[v], contour.points[t]);
   };
   const VoxelComponents voxels(contour, good.volume, 0);
-  VertexId from = kNoId, to = kNoId;
+  VertexId from = kNoId;
+  ContourId to = kNoId;
   for (VertexId v = 0; v < component.size(); ++v) {
     if (component[v] != 0) continue;
     const std::uint32_t own = voxels.at(good.mesh.points[v]).front();
-    for (VertexId t = 0; t < contour.points.size(); ++t) {
+    for (ContourId t = 0; t < contour.points.size(); ++t) {
       if (contour.component[t] == own || (from != kNoId && span(v, t) >= span(from, to))) continue;
       from = v;
       to = t;

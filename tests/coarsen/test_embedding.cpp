@@ -39,7 +39,7 @@ struct Shells {
   void change_small(Change&& change) {
     for (VertexId v = 0; v < mesh.mesh.points.size(); ++v) {
       Vec3& p = mesh.mesh.points[v];
-      if (scene.contour.component[v] == small) p = change(p);
+      if (scene.contour.component[ContourId(v.number())] == small) p = change(p);
     }
   }
 

@@ -19,7 +19,7 @@ struct CountedTopology {
   std::int64_t euler = 0;
 };
 
-inline std::string vertex_name(const ContourMesh& mesh, VertexId v) {
+inline std::string vertex_name(const ContourMesh& mesh, ContourId v) {
   const Vec3& p = mesh.points[v];
   return "vertex " + std::to_string(v) + " (" + std::to_string(p.x) + ", " + std::to_string(p.y) +
          ", " + std::to_string(p.z) + ")";
@@ -27,13 +27,13 @@ inline std::string vertex_name(const ContourMesh& mesh, VertexId v) {
 
 // Counts by union-find over triangles and walks over boundary edges, from the triangles alone.
 inline CountedTopology measure_topology(const ContourMesh& mesh) {
-  std::vector<VertexId> parent(mesh.points.size()), next_on_boundary(mesh.points.size(), kNoId);
-  for (VertexId v = 0; v < parent.size(); ++v) parent[v] = v;
-  const auto root = [&](VertexId v) {
+  std::vector<ContourId> parent(mesh.points.size()), next_on_boundary(mesh.points.size(), kNoId);
+  for (ContourId v = 0; v < parent.size(); ++v) parent[v] = v;
+  const auto root = [&](ContourId v) {
     while (parent[v] != v) v = parent[v] = parent[parent[v]];
     return v;
   };
-  std::set<std::pair<VertexId, VertexId>> directed;
+  std::set<std::pair<ContourId, ContourId>> directed;
   for (const auto& t : mesh.triangles) {
     for (int i = 0; i < 3; ++i) {
       directed.insert({t[i], t[(i + 1) % 3]});
@@ -47,11 +47,11 @@ inline CountedTopology measure_topology(const ContourMesh& mesh) {
     if (!twin || a < b) ++edges;
     if (!twin) next_on_boundary[a] = b;
   }
-  for (VertexId v = 0; v < parent.size(); ++v) topology.components += root(v) == v;
-  for (VertexId v = 0; v < parent.size(); ++v) {
+  for (ContourId v = 0; v < parent.size(); ++v) topology.components += root(v) == v;
+  for (ContourId v = 0; v < parent.size(); ++v) {
     if (next_on_boundary[v] == kNoId) continue;
     ++topology.boundary_loops;
-    for (VertexId w = v; next_on_boundary[w] != kNoId;) {
+    for (ContourId w = v; next_on_boundary[w] != kNoId;) {
       w = std::exchange(next_on_boundary[w], kNoId);
     }
   }
@@ -64,21 +64,21 @@ inline CountedTopology measure_topology(const ContourMesh& mesh) {
 // The combinatorial half of I2: no triangle is twice at an edge in one direction. The triangles at
 // each vertex are one cycle, or one path whose ends are boundary edges on the box.
 inline std::string check_manifold(const ContourMesh& mesh) {
-  std::vector<std::map<VertexId, VertexId>> link(mesh.points.size());
+  std::vector<std::map<ContourId, ContourId>> link(mesh.points.size());
   for (const auto& t : mesh.triangles) {
     for (int i = 0; i < 3; ++i) {
-      const VertexId v = t[i], a = t[(i + 1) % 3], b = t[(i + 2) % 3];
+      const ContourId v = t[i], a = t[(i + 1) % 3], b = t[(i + 2) % 3];
       if (v == a) return "degenerate triangle at " + vertex_name(mesh, v);
       if (!link[v].insert({a, b}).second) return "edge used twice at " + vertex_name(mesh, v);
     }
   }
-  for (VertexId v = 0; v < link.size(); ++v) {
+  for (ContourId v = 0; v < link.size(); ++v) {
     if (link[v].empty()) return "no triangle at " + vertex_name(mesh, v);
-    std::set<VertexId> targets;
+    std::set<ContourId> targets;
     for (const auto& [a, b] : link[v]) {
       if (!targets.insert(b).second) return "edge used twice at " + vertex_name(mesh, v);
     }
-    VertexId start = link[v].begin()->first;
+    ContourId start = link[v].begin()->first;
     std::size_t open_starts = 0;
     for (const auto& [a, b] : link[v]) {
       if (targets.count(a) != 0) continue;
@@ -89,7 +89,7 @@ inline std::string check_manifold(const ContourMesh& mesh) {
     if (open_starts == 1 && !mesh.on_boundary(v)) return "hole at " + vertex_name(mesh, v);
     if (open_starts == 0 && mesh.on_boundary(v)) return "closed on box: " + vertex_name(mesh, v);
     std::size_t walked = 0;
-    for (VertexId at = start; walked < link[v].size(); ++walked) {
+    for (ContourId at = start; walked < link[v].size(); ++walked) {
       const auto step = link[v].find(at);
       if (step == link[v].end()) break;
       at = step->second;
@@ -113,7 +113,7 @@ inline bool at_sample_equal_to(double kappa, const Vec3& p, const Volume& volume
 inline std::string check_points(const ContourMesh& mesh, const Volume& volume, double kappa) {
   const Box3 box = volume.box();
   const ValueRange range = value_range(volume);
-  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+  for (ContourId v = 0; v < mesh.points.size(); ++v) {
     const Vec3& p = mesh.points[v];
     if (!box.contains(p)) return "outside the box: " + vertex_name(mesh, v);
     if (!(std::abs(volume.value(p) - kappa) <= 1e-10 * (range.max - range.min))) {
@@ -136,7 +136,7 @@ inline std::string check_points(const ContourMesh& mesh, const Volume& volume, d
 // The chains are the mesh's boundary: the same directed edges, closed, turning exactly at vertices
 // on the box's edges. Each segment is on one pixel of its face.
 inline std::string check_chains(const ContourMesh& mesh, const Volume& volume) {
-  std::set<std::pair<VertexId, VertexId>> directed, boundary;
+  std::set<std::pair<ContourId, ContourId>> directed, boundary;
   for (const auto& t : mesh.triangles) {
     for (int i = 0; i < 3; ++i) directed.insert({t[i], t[(i + 1) % 3]});
   }
@@ -149,7 +149,7 @@ inline std::string check_chains(const ContourMesh& mesh, const Volume& volume) {
     const auto chain = chains.chain(c);
     if (chain.size() < 3) return "chain of fewer than three vertices";
     for (std::size_t n = 0; n < chain.size(); ++n) {
-      const VertexId v = chain[n], w = chain[(n + 1) % chain.size()];
+      const ContourId v = chain[n], w = chain[(n + 1) % chain.size()];
       const std::string name = "chain at " + vertex_name(mesh, v);
       if (boundary.erase({v, w}) == 0) return name + " is not on the mesh's boundary";
       if (v < chain[0]) return name + " does not start at its smallest vertex";
@@ -175,7 +175,7 @@ inline std::string check_summary(const ContourMesh& mesh) {
   const auto& components = mesh.summary.components;
   std::vector<std::int64_t> euler(components.size());
   std::vector<std::uint64_t> loops(components.size());
-  std::set<std::pair<VertexId, VertexId>> edges;
+  std::set<std::pair<ContourId, ContourId>> edges;
   for (const std::uint32_t c : mesh.component) {
     if (c >= components.size()) return "vertex of no component";
     ++euler[c];
@@ -183,7 +183,7 @@ inline std::string check_summary(const ContourMesh& mesh) {
   for (const auto& t : mesh.triangles) {
     ++euler[mesh.component[t[0]]];
     for (int i = 0; i < 3; ++i) {
-      const VertexId a = t[i], b = t[(i + 1) % 3];
+      const ContourId a = t[i], b = t[(i + 1) % 3];
       if (mesh.component[a] != mesh.component[b]) return "edge between two components";
       if (edges.insert({std::min(a, b), std::max(a, b)}).second) --euler[mesh.component[a]];
     }

@@ -106,8 +106,8 @@ TEST_CASE("vertices keep a thousandth of a voxel where saddles are at kappa") {
     const ContourMesh mesh = build_contour(volume, kappa);
     CHECK(check_contour(mesh, volume, kappa) == "");
     double nearest2 = 1;
-    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-      for (std::size_t w = 0; w < v; ++w) {
+    for (ContourId v = 0; v < mesh.points.size(); ++v) {
+      for (ContourId w = 0; w < v; ++w) {
         nearest2 = std::min(nearest2, distance2(mesh.points[v], mesh.points[w]));
       }
     }

@@ -9,6 +9,7 @@
 
 #include "base/random.h"
 #include "check/self_intersections.h"
+#include "coarsen/contour_as_mesh.h"
 #include "contour/mesh_checks.h"
 #include "contour/split_voxels.h"
 
@@ -41,7 +42,7 @@ Noise random_noise(std::uint64_t seed) {
 }
 
 std::size_t crossings(const ContourMesh& contour) {
-  const std::vector<Triangle> triangles(contour.triangles.begin(), contour.triangles.end());
+  const std::vector<Triangle> triangles = contour_as_mesh(contour).mesh.triangles();
   const TriangleTree tree(contour.points, triangles);
   return find_crossings(contour.points, triangles, tree).pairs.size();
 }
@@ -106,7 +107,7 @@ TEST_CASE("triangles cross in crowded voxels only, also beside split ones") {
       std::fill(is_crowded.begin() + static_cast<std::ptrdiff_t>(crowd.first),
                 is_crowded.begin() + static_cast<std::ptrdiff_t>(crowd.end), 1);
     }
-    const std::vector<Triangle> triangles(contour.triangles.begin(), contour.triangles.end());
+    const std::vector<Triangle> triangles = contour_as_mesh(contour).mesh.triangles();
     const TriangleTree tree(contour.points, triangles);
     for (const auto& [f, g] : find_crossings(contour.points, triangles, tree).pairs) {
       ++crossed;

@@ -18,11 +18,11 @@ std::vector<Vec3> places(const ContourMesh& contour, const std::vector<std::uint
   std::vector<Vec3> all;
   for (const auto& t : contour.triangles) {
     if (!selected[contour.component[t[0]]]) continue;
-    for (const VertexId v : t) all.push_back(contour.points[v]);
+    for (const ContourId v : t) all.push_back(contour.points[v]);
   }
   for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
     if (!selected[contour.boundary.component[c]]) continue;
-    for (const VertexId v : contour.boundary.chain(c)) all.push_back(contour.points[v]);
+    for (const ContourId v : contour.boundary.chain(c)) all.push_back(contour.points[v]);
   }
   return all;
 }
@@ -54,14 +54,14 @@ TEST_CASE("what is kept of a contour is as it was, and nothing else is there") {
     std::vector<std::uint64_t> loops(expected.size(), 0);
     for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
       ++loops[contour.boundary.component[c]];
-      for (const VertexId v : contour.boundary.chain(c)) {
+      for (const ContourId v : contour.boundary.chain(c)) {
         CHECK(contour.on_boundary(v));
         CHECK(contour.component[v] == contour.boundary.component[c]);
       }
     }
     std::vector<std::uint8_t> is_used(contour.points.size(), 0);
     for (const auto& t : contour.triangles) {
-      for (const VertexId v : t) {
+      for (const ContourId v : t) {
         is_used[v] = 1;
         CHECK(contour.component[v] == contour.component[t[0]]);
       }

@@ -44,8 +44,8 @@ TEST_CASE("blocks end on their common face alike, at crossings of grid edges") {
       const SurfaceMesh mesh = contour_as_mesh(t);
       CHECK(check_mesh(mesh.mesh) == "");
       CHECK(ends_on_chain(mesh));
-      for (VertexId v = 0; v < t.points.size(); ++v) {
-        const unsigned faces = box_faces_at(t.points[v], block.box()) & inner;
+      for (VertexId v = 0; v < mesh.mesh.points.size(); ++v) {
+        const unsigned faces = box_faces_at(mesh.mesh.points[v], block.box()) & inner;
         CHECK((faces == 0 || mesh.chain.is_boundary(v)));
       }
       for (std::size_t c = 0; c < t.boundary.size(); ++c) {
@@ -53,7 +53,7 @@ TEST_CASE("blocks end on their common face alike, at crossings of grid edges") {
         for (std::size_t k = 0; k < chain.size(); ++k) {
           if ((inner >> t.boundary.face[t.boundary.first[c] + k] & 1) == 0) continue;
           EndPoints segment;
-          for (const VertexId v : {chain[k], chain[(k + 1) % chain.size()]}) {
+          for (const ContourId v : {chain[k], chain[(k + 1) % chain.size()]}) {
             const Vec3& p = t.points[v];
             segment.insert({p.x, p.y, p.z});
           }
@@ -61,7 +61,7 @@ TEST_CASE("blocks end on their common face alike, at crossings of grid edges") {
         }
       }
       if (t.triangles.size() == before) continue;
-      const std::vector<Triangle> triangles(t.triangles.begin(), t.triangles.end());
+      const std::vector<Triangle> triangles = mesh.mesh.triangles();
       const TriangleTree tree(t.points, triangles);
       CHECK(find_crossings(t.points, triangles, tree).pairs.empty());
     }

@@ -28,7 +28,7 @@ bool same_mesh(const ContourMesh& a, const ContourMesh& b) {
 
 // The crossings of the plain T's grid edges are vertices of the finer one, in the same order.
 bool keeps_crossings(const ContourMesh& plain, const ContourMesh& finer, const Volume& volume) {
-  std::size_t at = 0;
+  ContourId at = 0;
   for (const Vec3& p : plain.points) {
     int on_planes = 0;
     for (int axis = 0; axis < 3; ++axis) {

@@ -64,7 +64,7 @@ std::vector<VoxelPiece> pieces_of(const ContourMesh& mesh) {
     pieces[n].euler = static_cast<int>(mesh.summary.components[n].euler);
     pieces[n].loops = static_cast<int>(mesh.summary.components[n].boundary_loops);
   }
-  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+  for (ContourId v = 0; v < mesh.points.size(); ++v) {
     const int e = edge_of(mesh.box_faces[v]);
     if (e >= 0) pieces[mesh.component[v]].edges |= 1 << e;
   }

@@ -10,6 +10,7 @@
 #include "base/random.h"
 #include "check/triangle_tree.h"
 #include "check/verify.h"
+#include "coarsen/contour_as_mesh.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "refine/refine.h"
@@ -53,7 +54,9 @@ double longest_edge(const TriMesh& mesh) {
 
 // The component of T whose triangle is nearest, for each vertex of the mesh.
 std::vector<std::uint32_t> nearest_components(const TriMesh& mesh, const ContourMesh& contour) {
-  const TriangleTree tree(contour.points, contour.triangles);
+  const TriMesh exact = contour_as_mesh(contour).mesh;
+  const std::vector<Triangle> triangles = exact.triangles();
+  const TriangleTree tree(exact.points, triangles);
   std::vector<std::uint32_t> components;
   for (const Vec3& p : mesh.points) {
     const FaceId t = tree.nearest(p).triangle;

@@ -20,26 +20,27 @@
 
 namespace deliso::test {
 
-using Triangles = std::vector<Triangle>;
+using ContourTriangles = std::vector<ContourTriangle>;
 
-// Triangles and their labels: one letter for each vertex of T, the region that it is in; a capital
-// is the region's site. Regions lie far apart, so that nearest sites give just these labels.
+// ContourTriangles and their labels: one letter for each vertex of T, the region that it is in; a
+// capital is the region's site. Regions lie far apart, so that nearest sites give just these
+// labels.
 struct Shape {
   std::string letters;
-  Triangles triangles;
+  ContourTriangles triangles;
   std::vector<Vec3> offsets;  // of each vertex from its site
 
-  VertexId site(VertexId v) const {
+  ContourId site(ContourId v) const {
     const char name = static_cast<char>(std::toupper(letters[v]));
     const std::size_t site = letters.find(name);
     REQUIRE(site != std::string::npos);
-    return VertexId(site);
+    return ContourId(site);
   }
 };
 
-inline Shape shape_of(const std::string& letters, Triangles triangles) {
+inline Shape shape_of(const std::string& letters, ContourTriangles triangles) {
   Shape shape{letters, std::move(triangles), {}};
-  for (VertexId v = 0; v < letters.size(); ++v) {
+  for (ContourId v = 0; v < letters.size(); ++v) {
     const double steps = static_cast<double>(v) - static_cast<double>(shape.site(v));
     shape.offsets.push_back({0.1 * steps, 0, 0});
   }
@@ -47,10 +48,10 @@ inline Shape shape_of(const std::string& letters, Triangles triangles) {
 }
 
 // Where boundary edges lead, as the triangles run.
-inline std::map<VertexId, VertexId> boundary_of(const Triangles& triangles) {
-  std::map<VertexId, VertexId> next;
-  std::set<std::pair<VertexId, VertexId>> edges;
-  for (const Triangle& t : triangles) {
+inline std::map<ContourId, ContourId> boundary_of(const ContourTriangles& triangles) {
+  std::map<ContourId, ContourId> next;
+  std::set<std::pair<ContourId, ContourId>> edges;
+  for (const ContourTriangle& t : triangles) {
     for (std::size_t i = 0; i < 3; ++i) edges.insert({t[i], t[(i + 1) % 3]});
   }
   for (const auto& [a, b] : edges) {
@@ -62,7 +63,7 @@ inline std::map<VertexId, VertexId> boundary_of(const Triangles& triangles) {
 // Its boundary lies on the box.
 inline ContourMesh contour_of(const Shape& shape) {
   ContourMesh t;
-  for (VertexId v = 0; v < shape.letters.size(); ++v) {
+  for (ContourId v = 0; v < shape.letters.size(); ++v) {
     const double n = std::toupper(shape.letters[v]) - 'A';
     t.points.push_back(Vec3{10 * n, n * n, n * n * n} + shape.offsets[v]);
   }
@@ -83,25 +84,25 @@ class Labeled {
         triangulation_(first_sites()),
         labels_(contour_, triangulation_),
         certificate_(labels_) {
-    for (VertexId v = 0; v < letters_.size(); ++v) {
+    for (ContourId v = 0; v < letters_.size(); ++v) {
       REQUIRE(vertex_[labels_.label(v)] == shape.site(v));
     }
   }
 
-  Verdict check(VertexId v) { return certificate_.check(labels_.label(v), v, facets_); }
-  Verdict check(char site) { return check(VertexId(letters_.find(site))); }
+  Verdict check(ContourId v) { return certificate_.check(labels_.label(v), v, facets_); }
+  Verdict check(char site) { return check(ContourId(letters_.find(site))); }
 
   // The sites that break a condition.
   std::string broken() {
     std::string names;
-    for (const VertexId v : vertex_) {
+    for (const ContourId v : vertex_) {
       if (v != kNoId && check(v).violation) names += letters_[v];
     }
     std::sort(names.begin(), names.end());
     return names;
   }
 
-  void insert(VertexId v) {
+  void insert(ContourId v) {
     REQUIRE(v != kNoId);
     ConflictZone zone;
     std::vector<CellId> created;
@@ -119,7 +120,7 @@ class Labeled {
     int insertions = 0;
     for (bool any = true; any;) {
       any = false;
-      for (VertexId s = 1; s < vertex_.size(); ++s) {
+      for (ContourId s = 1; s < vertex_.size(); ++s) {
         if (vertex_[s] == kNoId) continue;
         const Verdict verdict = check(vertex_[s]);
         if (!verdict.violation) continue;
@@ -134,7 +135,7 @@ class Labeled {
   // The conditions that are broken at any site.
   std::set<paper::Reason> broken_conditions() {
     std::set<paper::Reason> reasons;
-    for (const VertexId v : vertex_) {
+    for (const ContourId v : vertex_) {
       if (v == kNoId) continue;
       if (const auto violation = check(v).violation) reasons.insert(*violation);
     }
@@ -144,14 +145,14 @@ class Labeled {
   // Every site is a vertex, also one without facets.
   ContourMesh dual() {
     ContourMesh dual;
-    std::vector<VertexId> number(vertex_.size(), kNoId);
-    for (const VertexId v : vertex_) {
+    std::vector<ContourId> number(vertex_.size(), kNoId);
+    for (const ContourId v : vertex_) {
       if (v == kNoId) continue;
-      number[labels_.label(v)] = VertexId(dual.points.size());
+      number[labels_.label(v)] = ContourId(dual.points.size());
       dual.points.push_back(contour_.points[v]);
       dual.box_faces.push_back(contour_.box_faces[v]);
     }
-    for (const VertexId v : vertex_) {
+    for (const ContourId v : vertex_) {
       if (v == kNoId) continue;
       check(v);
       for (const DualFacet& f : facets_) {
@@ -163,9 +164,9 @@ class Labeled {
   }
 
   bool has_facets_at_all_sites() {
-    std::set<VertexId> corners;
+    std::set<ContourId> corners;
     const ContourMesh k = dual();
-    for (const Triangle& t : k.triangles) corners.insert(t.begin(), t.end());
+    for (const ContourTriangle& t : k.triangles) corners.insert(t.begin(), t.end());
     return corners.size() == k.points.size();
   }
 
@@ -175,8 +176,8 @@ class Labeled {
     const ContourMesh k = dual();
     const std::string fault = check_manifold(k);
     if (!fault.empty()) return fault;
-    std::set<Triangle> facets;
-    for (Triangle t : k.triangles) {
+    std::set<ContourTriangle> facets;
+    for (ContourTriangle t : k.triangles) {
       std::sort(t.begin(), t.end());
       if (!facets.insert(t).second) return "a facet twice";
     }
@@ -185,11 +186,11 @@ class Labeled {
         is.boundary_loops != wanted.boundary_loops) {
       return "another topology";
     }
-    const std::map<VertexId, VertexId> next = boundary_of(contour_.triangles);
-    std::vector<VertexId> at;  // per vertex of the dual, its vertex of T
-    std::ranges::copy_if(vertex_, std::back_inserter(at), [](VertexId v) { return v != kNoId; });
+    const std::map<ContourId, ContourId> next = boundary_of(contour_.triangles);
+    std::vector<ContourId> at;  // per vertex of the dual, its vertex of T
+    std::ranges::copy_if(vertex_, std::back_inserter(at), [](ContourId v) { return v != kNoId; });
     for (const auto& [a, b] : boundary_of(k.triangles)) {
-      VertexId v = next.at(at[a]);
+      ContourId v = next.at(at[a]);
       while (!labels_.is_site(v)) v = next.at(v);
       if (v != at[b]) return "the boundary in another order";
     }
@@ -200,8 +201,8 @@ class Labeled {
   // Every capital, and four corners that hold the triangulation together.
   Triangulation first_sites() {
     std::vector<Vec3> points;
-    std::vector<VertexId> at;
-    for (VertexId v = 0; v < letters_.size(); ++v) {
+    std::vector<ContourId> at;
+    for (ContourId v = 0; v < letters_.size(); ++v) {
       if (!std::isupper(letters_[v])) continue;
       points.push_back(contour_.points[v]);
       at.push_back(v);
@@ -219,7 +220,7 @@ class Labeled {
 
   std::string letters_;
   ContourMesh contour_;
-  std::vector<VertexId> vertex_;  // per site, its vertex of T
+  std::vector<ContourId> vertex_;  // per site, its vertex of T
   Triangulation triangulation_;
   Labels labels_;
   Certificate certificate_;

@@ -29,8 +29,8 @@ struct Drawing {
   bool is_sphere() const { return !poles.empty(); }
   int height() const { return static_cast<int>(rows.size()); }
   int width() const { return static_cast<int>(rows[0].size()); }
-  VertexId at(int row, int column) const { return VertexId(row * width() + column % width()); }
-  VertexId pole(int n) const { return VertexId(height() * width() + n); }
+  ContourId at(int row, int column) const { return ContourId(row * width() + column % width()); }
+  ContourId pole(int n) const { return ContourId(height() * width() + n); }
   std::string letters() const {
     std::string all;
     for (const std::string& row : rows) all += row;
@@ -38,8 +38,8 @@ struct Drawing {
   }
 };
 
-std::vector<Triangle> triangles_of(const Drawing& d) {
-  std::vector<Triangle> triangles;
+std::vector<ContourTriangle> triangles_of(const Drawing& d) {
+  std::vector<ContourTriangle> triangles;
   const int columns = d.is_sphere() ? d.width() : d.width() - 1;
   for (int c = 0; c < columns; ++c) {
     for (int r = 0; r + 1 < d.height(); ++r) {
@@ -55,8 +55,8 @@ std::vector<Triangle> triangles_of(const Drawing& d) {
 
 // Where the vertex lies in the drawing as seen from another; rows are a little further apart, so
 // that few vertices are as far.
-Vec3 offset(const Drawing& d, VertexId from, VertexId to) {
-  const auto row = [&](VertexId v) {
+Vec3 offset(const Drawing& d, ContourId from, ContourId to) {
+  const auto row = [&](ContourId v) {
     if (v == d.pole(0)) return -1;
     return v == d.pole(1) ? d.height() : static_cast<int>(v) / d.width();
   };
@@ -71,7 +71,7 @@ Vec3 offset(const Drawing& d, VertexId from, VertexId to) {
 
 Shape shape_of(const Drawing& d) {
   Shape shape{d.letters(), triangles_of(d), {}};
-  for (VertexId v = 0; v < shape.letters.size(); ++v) {
+  for (ContourId v = 0; v < shape.letters.size(); ++v) {
     shape.offsets.push_back(offset(d, shape.site(v), v));
   }
   return shape;
@@ -80,7 +80,7 @@ Shape shape_of(const Drawing& d) {
 // Checks that exactly the sites of `broken` break a condition, that `site` breaks `violation`, and
 // that its verdict names the vertex `named`. After insertions as the verdicts name them, the dual
 // must be a mesh of T's topology.
-void check_broken(const Drawing& drawing, char site, paper::Reason violation, VertexId named,
+void check_broken(const Drawing& drawing, char site, paper::Reason violation, ContourId named,
                   const std::string& broken) {
   Labeled t(shape_of(drawing));
   CHECK(t.broken() == broken);
@@ -209,8 +209,8 @@ TEST_CASE("C4: labels that break it alone have a dual unlike T") {
 }
 
 TEST_CASE("labels without a dual facet: one region or two that are a whole sphere or disk") {
-  const Triangles sphere{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, disk{{0, 1, 2}};
-  const auto check = [](const std::string& letters, const Triangles& triangles,
+  const ContourTriangles sphere{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, disk{{0, 1, 2}};
+  const auto check = [](const std::string& letters, const ContourTriangles& triangles,
                         paper::Reason violation) {
     CAPTURE(letters);
     Labeled t(shape_of(letters, triangles));

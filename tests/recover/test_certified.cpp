@@ -16,6 +16,7 @@
 #include "base/check.h"
 #include "base/triangle.h"
 #include "cases.h"
+#include "coarsen/contour_as_mesh.h"
 #include "contour/fine_contour.h"
 #include "delaunay/predicates.h"
 #include "delaunay/voronoi.h"
@@ -51,8 +52,8 @@ ContourMesh contour_of(const Volume& volume, double isovalue) {
 std::string difference(const TriMesh& mesh, const ContourMesh& t) {
   const std::string fault = check_mesh(mesh);
   if (!fault.empty()) return fault;
-  std::map<std::tuple<double, double, double>, VertexId> at;
-  for (VertexId v = 0; v < t.points.size(); ++v) {
+  std::map<std::tuple<double, double, double>, ContourId> at;
+  for (ContourId v = 0; v < t.points.size(); ++v) {
     const Vec3& p = t.points[v];
     at[{p.x, p.y, p.z}] = v;
   }
@@ -110,11 +111,11 @@ class Judge : public paper::Observer {
     report_ = &report;
     sites = broken = bad = 0;
   }
-  void asks_site(paper::Reason reason, SiteId, VertexId) override { ++asked[reason]; }
+  void asks_site(paper::Reason reason, SiteId, ContourId) override { ++asked[reason]; }
   void recovered() override {
     Certificate certificate(*labels_);
     std::vector<DualFacet> facets;
-    for (VertexId v = 0; v < labels_->all().size(); ++v) {
+    for (ContourId v = 0; v < labels_->all().size(); ++v) {
       if (!labels_->is_site(v)) continue;
       ++sites;
       broken += certificate.check(labels_->label(v), v, facets).violation.has_value();
@@ -127,7 +128,7 @@ class Judge : public paper::Observer {
  private:
   // A criterion does not hold, and there is a vertex of T to insert.
   bool is_bad(const DualFacet& f) const {
-    if (std::ranges::all_of(f.t_triangle, [&](VertexId v) { return labels_->is_site(v); })) {
+    if (std::ranges::all_of(f.t_triangle, [&](ContourId v) { return labels_->is_site(v); })) {
       return false;
     }
     const auto at = [&](std::size_t i) { return labels_->triangulation().point(f.sites[i]); };
@@ -171,7 +172,7 @@ TEST_CASE("what is handed over, and what becomes of it, is like T component by c
         // The inside is on T's side, though Refine leaves parts of Sigma out.
         const bool closed = t.boundary.size() == 0;
         CHECK((!closed || volume_of(refined.mesh.points, refined.mesh.triangles()) *
-                                  volume_of(t.points, t.triangles) >
+                                  volume_of(t.points, contour_as_mesh(t).mesh.triangles()) >
                               0));
         CHECK(r.uncertified_sites == 0);
         CHECK(judge.broken == 0);

@@ -33,10 +33,10 @@ void check_nearest(const ContourMesh& contour, const Labels& labels, const Trian
   std::size_t in_regions = 0;
   for (SiteId s = 1; s < t.vertex_capacity(); ++s) {
     in_regions += labels.region(s).size();
-    for (const VertexId v : labels.region(s)) REQUIRE(labels.label(v) == s);
+    for (const ContourId v : labels.region(s)) REQUIRE(labels.label(v) == s);
   }
   CHECK(in_regions == contour.points.size());
-  for (VertexId v = 0; v < contour.points.size(); ++v) {
+  for (ContourId v = 0; v < contour.points.size(); ++v) {
     double nearest2 = std::numeric_limits<double>::infinity();
     for (SiteId s = 1; s < t.vertex_capacity(); ++s) {
       nearest2 = std::min(nearest2, distance2(contour.points[v], t.point(s)));
@@ -55,7 +55,7 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
     Random random(seed);
     const auto anywhere = [&] {
       return scene.contour
-          .points[random.below(static_cast<std::uint32_t>(scene.contour.points.size()))];
+          .points[ContourId(random.below(static_cast<std::uint32_t>(scene.contour.points.size())))];
     };
     std::vector<Vec3> sample;
     for (int n = 0; n < 80; ++n) sample.push_back(anywhere());
@@ -84,19 +84,19 @@ TEST_CASE("rings hold every triangle of T once, and follow the chains") {
   REQUIRE(contour.points.size() > 20000);
   const ContourGraph graph(contour);
 
-  std::vector<Triangle> round;
-  for (VertexId v = 0; v < contour.points.size(); ++v) {
-    const std::span<const VertexId> ring = graph.ring(v);
+  std::vector<ContourTriangle> round;
+  for (ContourId v = 0; v < contour.points.size(); ++v) {
+    const std::span<const ContourId> ring = graph.ring(v);
     const bool inner = !contour.on_boundary(v);
     for (std::size_t n = 0; n + !inner < ring.size(); ++n) {
-      const VertexId u = ring[n], w = ring[(n + 1) % ring.size()];
+      const ContourId u = ring[n], w = ring[(n + 1) % ring.size()];
       if (v < u && v < w) round.push_back({v, u, w});
     }
   }
-  std::vector<Triangle> triangles(contour.triangles.begin(), contour.triangles.end());
+  std::vector<ContourTriangle> triangles(contour.triangles.begin(), contour.triangles.end());
   std::size_t on_chains = 0;
   for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
-    const std::span<const VertexId> chain = contour.boundary.chain(c);
+    const std::span<const ContourId> chain = contour.boundary.chain(c);
     for (std::size_t k = 0; k < chain.size(); ++k, ++on_chains) {
       REQUIRE(graph.ring(chain[k]).front() == chain[(k + 1) % chain.size()]);
       REQUIRE(graph.ring(chain[(k + 1) % chain.size()]).back() == chain[k]);
@@ -104,7 +104,7 @@ TEST_CASE("rings hold every triangle of T once, and follow the chains") {
   }
   CHECK(on_chains ==
         contour.points.size() - static_cast<std::size_t>(std::ranges::count(contour.box_faces, 0)));
-  for (Triangle& t : triangles)
+  for (ContourTriangle& t : triangles)
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   std::sort(triangles.begin(), triangles.end());
   std::sort(round.begin(), round.end());
@@ -129,7 +129,7 @@ TEST_CASE("the certificate holds when every vertex of T is a site, and the dual 
     Certificate certificate(labels);
     std::vector<DualFacet> facets;
     std::vector<SiteTriangle> dual;
-    for (VertexId v = 0; v < contour.points.size(); ++v) {
+    for (ContourId v = 0; v < contour.points.size(); ++v) {
       const Verdict verdict = certificate.check(ids[v], v, facets);
       REQUIRE_FALSE(verdict.violation);
       for (const DualFacet& f : facets) {

@@ -20,13 +20,13 @@ using namespace deliso::test;
 namespace {
 
 // Each region with a site, on the boundary if it has a vertex there.
-std::string with_sites(std::string letters, const Triangles& triangles) {
-  const std::map<VertexId, VertexId> boundary = boundary_of(triangles);
+std::string with_sites(std::string letters, const ContourTriangles& triangles) {
+  const std::map<ContourId, ContourId> boundary = boundary_of(triangles);
   for (char name = 'a'; name <= 'z'; ++name) {
     std::size_t site = letters.find(name);
     if (site == std::string::npos) continue;
     for (std::size_t v = site; v < letters.size(); ++v) {
-      const bool is_better = boundary.contains(VertexId(v)) && !boundary.contains(VertexId(site));
+      const bool is_better = boundary.contains(ContourId(v)) && !boundary.contains(ContourId(site));
       if (letters[v] == name && is_better) site = v;
     }
     letters[site] = static_cast<char>(std::toupper(name));
@@ -36,35 +36,35 @@ std::string with_sites(std::string letters, const Triangles& triangles) {
 
 // What breaks C1 to C4 at a site, counted as recover/certificate.h says it, over all of T; but not
 // that the site is on the boundary.
-std::set<paper::Reason> conditions_broken(const std::string& letters, const Triangles& triangles,
-                                          char site) {
+std::set<paper::Reason> conditions_broken(const std::string& letters,
+                                          const ContourTriangles& triangles, char site) {
   const char a = static_cast<char>(std::tolower(site));
   using Names = std::set<char>;
-  std::set<std::set<VertexId>> edges;
+  std::set<std::set<ContourId>> edges;
   std::map<Names, int> edges_of, rim_of, triangles_of;  // by the labels of their corners
   const auto names = [&](const auto& corners) {
     Names all;
-    for (const VertexId v : corners) all.insert(letters[v]);
+    for (const ContourId v : corners) all.insert(letters[v]);
     return all;
   };
-  for (const Triangle& t : triangles) {
+  for (const ContourTriangle& t : triangles) {
     ++triangles_of[names(t)];
     for (std::size_t i = 0; i < 3; ++i) edges.insert({t[i], t[(i + 1) % 3]});
   }
-  std::set<VertexId> on_rim;
+  std::set<ContourId> on_rim;
   for (const auto& [v, w] : boundary_of(triangles)) {
     ++rim_of[names(std::array{v, w})];
     if (letters[v] == a) on_rim.insert(v);
   }
-  std::vector<VertexId> root(letters.size());
-  for (VertexId v = 0; v < root.size(); ++v) root[v] = v;
+  std::vector<ContourId> root(letters.size());
+  for (ContourId v = 0; v < root.size(); ++v) root[v] = v;
   for (const auto& e : edges) {
     ++edges_of[names(e)];
     if (names(e).size() > 1) continue;
-    std::ranges::replace(root, VertexId(root[*e.begin()]), VertexId(root[*e.rbegin()]));
+    std::ranges::replace(root, ContourId(root[*e.begin()]), ContourId(root[*e.rbegin()]));
   }
-  std::set<VertexId> pieces;
-  for (VertexId v = 0; v < root.size(); ++v) {
+  std::set<ContourId> pieces;
+  for (ContourId v = 0; v < root.size(); ++v) {
     if (letters[v] == a) pieces.insert(root[v]);
   }
   std::set<paper::Reason> broken;
@@ -89,34 +89,34 @@ std::set<paper::Reason> conditions_broken(const std::string& letters, const Tria
 
 // All spheres of n vertices: what flips make of one, as sorted triangles that begin with their
 // smallest vertex.
-std::set<Triangles> spheres(VertexId n) {
-  const auto sorted = [](Triangles triangles) {
-    for (Triangle& t : triangles)
+std::set<ContourTriangles> spheres(ContourId n) {
+  const auto sorted = [](ContourTriangles triangles) {
+    for (ContourTriangle& t : triangles)
       std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     std::sort(triangles.begin(), triangles.end());
     return triangles;
   };
-  Triangles first{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
-  for (VertexId v = 4; v < n; ++v) {
+  ContourTriangles first{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  for (ContourId v = 4; v < n; ++v) {
     const auto [a, b, c] = first.back();
     first.pop_back();
     first.insert(first.end(), {{a, b, v}, {b, c, v}, {c, a, v}});
   }
-  std::vector<Triangles> queue{sorted(first)};
-  std::set<Triangles> found(queue.begin(), queue.end());
+  std::vector<ContourTriangles> queue{sorted(first)};
+  std::set<ContourTriangles> found(queue.begin(), queue.end());
   while (!queue.empty()) {
-    const Triangles from = queue.back();
+    const ContourTriangles from = queue.back();
     queue.pop_back();
-    std::map<std::pair<VertexId, VertexId>, VertexId> across;
-    for (const Triangle& t : from) {
+    std::map<std::pair<ContourId, ContourId>, ContourId> across;
+    for (const ContourTriangle& t : from) {
       for (std::size_t i = 0; i < 3; ++i) across[{t[i], t[(i + 1) % 3]}] = t[(i + 2) % 3];
     }
     for (const auto& [edge, c] : across) {
       const auto [a, b] = edge;
-      const VertexId d = across.at({b, a});
+      const ContourId d = across.at({b, a});
       if (a > b || across.contains({c, d})) continue;
-      Triangles to{{a, d, c}, {d, b, c}};
-      for (const Triangle& t : from) {
+      ContourTriangles to{{a, d, c}, {d, b, c}};
+      for (const ContourTriangle& t : from) {
         if (!has_corner(t, a) || !has_corner(t, b)) to.push_back(t);
       }
       to = sorted(to);
@@ -144,7 +144,7 @@ TEST_CASE("all labels of all small spheres and disks: where the certificate hold
   std::map<paper::Reason, std::size_t> smallest;  // that break this alone, with all sites in facets
   std::map<paper::Reason, int> told;
   int certified = 0;
-  const auto look_at = [&](const std::string& labels, const Triangles& triangles) {
+  const auto look_at = [&](const std::string& labels, const ContourTriangles& triangles) {
     const Shape shape = shape_of(with_sites(labels, triangles), triangles);
     CAPTURE(shape.letters);
     Labeled t(shape);
@@ -164,13 +164,14 @@ TEST_CASE("all labels of all small spheres and disks: where the certificate hold
     const std::size_t before = smallest.insert({*broken.begin(), labels.size()}).first->second;
     smallest[*broken.begin()] = std::min(before, labels.size());
   };
-  for (VertexId n = 4; n <= 7; ++n) {
+  for (ContourId n = 4; n <= 7; ++n) {
     std::vector<std::string> of_sphere, of_disk;
     add_labels(n, 1, "", of_sphere);
     add_labels(n - 1, 1, "", of_disk);
-    for (const Triangles& sphere : spheres(n)) {
-      Triangles disk = sphere;
-      std::erase_if(disk, [&](const Triangle& t) { return has_corner(t, VertexId(n - 1)); });
+    for (const ContourTriangles& sphere : spheres(n)) {
+      ContourTriangles disk = sphere;
+      std::erase_if(disk,
+                    [&](const ContourTriangle& t) { return has_corner(t, ContourId(n - 1)); });
       for (const std::string& labels : of_disk) look_at(labels, disk);
       if (n == 7) continue;
       for (const std::string& labels : of_sphere) look_at(labels, sphere);

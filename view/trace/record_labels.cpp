@@ -22,7 +22,7 @@ void Recording::labels_begin(const Labels& labels, const Box3& domain) {
   const ContourMesh& contour = labels.contour();
   TraceEvent& event =
       trace_.asks(trace_code(Routine::init_triangulation), trace_code(Reason::beginning));
-  for (const Triangle& t : contour.triangles) {
+  for (const ContourTriangle& t : contour.triangles) {
     const SiteTriangle sites{label_[t[0]], label_[t[1]], label_[t[2]]};
     if (is_dual(sites)) event.added.push_back(number(sites));
   }
@@ -36,7 +36,7 @@ void Recording::labels_begin(const Labels& labels, const Box3& domain) {
       arrays.contour_points.push_back(static_cast<float>(p[axis]));
     }
   }
-  for (const Triangle& t : contour.triangles) {
+  for (const ContourTriangle& t : contour.triangles) {
     arrays.contour_triangles.insert(arrays.contour_triangles.end(), t.begin(), t.end());
   }
   for (const SiteId s : label_) {
@@ -44,7 +44,7 @@ void Recording::labels_begin(const Labels& labels, const Box3& domain) {
   }
 }
 
-void Recording::asks_site(Routine routine, std::uint8_t reason, SiteId asker, VertexId v) {
+void Recording::asks_site(Routine routine, std::uint8_t reason, SiteId asker, ContourId v) {
   const double value = v == kNoId ? 0 : std::sqrt(labels_->distance2_to_site(v));
   TraceEvent& event = trace_.asks(trace_code(routine), reason, value);
   if (asker != kNoId) event.caller[0] = number(asker);
@@ -55,13 +55,13 @@ void Recording::show_labels(SiteId site) {
   number_sites();
   TraceEvent& event = trace_.event();
   event.vertex = number(site);
-  const auto is_taken = [&](VertexId v) { return labels.label(v) == site && label_[v] != site; };
+  const auto is_taken = [&](ContourId v) { return labels.label(v) == site && label_[v] != site; };
   // Every triangle of T with vertices that are taken, at the first of these.
-  for (const VertexId v : labels.region(site)) {
-    const std::span<const VertexId> ring = labels.ring(v);
+  for (const ContourId v : labels.region(site)) {
+    const std::span<const ContourId> ring = labels.ring(v);
     const std::size_t triangles = ring.size() - labels.contour().on_boundary(v);
     for (std::size_t n = 0; n < triangles; ++n) {
-      const VertexId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
+      const ContourId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
       if ((u < v && is_taken(u)) || (w < v && is_taken(w))) continue;
       const SiteTriangle before{label_[v], label_[u], label_[w]};
       const SiteTriangle after{site, labels.label(u), labels.label(w)};
@@ -69,7 +69,7 @@ void Recording::show_labels(SiteId site) {
       if (is_dual(after)) event.added.push_back(number(after));
     }
   }
-  for (const VertexId v : labels.region(site)) {
+  for (const ContourId v : labels.region(site)) {
     if (shows_contour_) event.relabel.push_back({v, event.vertex});
     label_[v] = site;
   }

@@ -102,7 +102,7 @@ void PaperRecorder::labels_ready(const Labels& labels, const Box3& domain,
   labels_begin(labels, domain);
 }
 
-void PaperRecorder::asks_site(paper::Reason reason, SiteId q, VertexId v) {
+void PaperRecorder::asks_site(paper::Reason reason, SiteId q, ContourId v) {
   outcome_ = TraceOutcome::done;
   const auto [routine, code] = codes_of(reason);
   if (!target().is_full()) Recording::asks_site(routine, code, q, v);

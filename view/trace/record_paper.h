@@ -29,7 +29,7 @@ class PaperRecorder : public paper::Observer, private Recording {
   void sample_ready(const paper::RestrictedDelaunay& del, const paper::Report& report) override;
   void asks(paper::Reason reason, Facet sigma, SiteId q, double value, const Vec3& x) override;
   void labels_ready(const Labels& labels, const Box3& domain, const paper::Report& report) override;
-  void asks_site(paper::Reason reason, SiteId q, VertexId v) override;
+  void asks_site(paper::Reason reason, SiteId q, ContourId v) override;
   void insertion_begins(const Vec3& p, const ConflictZone& zone) override;
   void site_added(SiteId site) override;
   void recovered() override { tell_cells(); }

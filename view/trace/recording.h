@@ -37,7 +37,7 @@ class Recording {
   // Stage 1 by labels of T, record_labels.cpp: their first sites; why the vertex v of T shall be
   // one, by the test at `asker`; the labels and facets of K that a new site changed.
   void labels_begin(const Labels& labels, const Box3& domain);
-  void asks_site(Routine routine, std::uint8_t reason, SiteId asker, VertexId v);
+  void asks_site(Routine routine, std::uint8_t reason, SiteId asker, ContourId v);
   void show_labels(SiteId site);
 
   // All sites that are new; auxiliary ones have no number.
@@ -77,7 +77,7 @@ class Recording {
   std::vector<VertexId> numbers_;  // by site
   const Labels* labels_ = nullptr;
   bool shows_contour_ = false;
-  std::vector<SiteId> label_;  // of every vertex of T, before the site that is being added
+  IdArray<ContourId, SiteId> label_;  // of every vertex of T, before the site that is being added
   const TriMesh* mesh_ = nullptr;
   SurfacePoint surface_point_;
   IdArray<FaceId, double> distance_;  // of each facet, as Report::largest_h; 0 up to r_min
