@@ -18,7 +18,7 @@ FlatContour::FlatContour(const Slice& slice) : contour_(build_contour(slice.volu
     const auto& chain = contour_.boundary.vertices[c];
     if (contour_.points[chain[0]].z != 0) continue;
     loops_.emplace_back();
-    for (const VertexId v : chain) {
+    for (const ContourId v : chain) {
       loops_.back().push_back(points_.size());
       lower_.push_back(v);
       points_.push_back({contour_.points[v].x, contour_.points[v].y});
@@ -28,7 +28,7 @@ FlatContour::FlatContour(const Slice& slice) : contour_(build_contour(slice.volu
     const Vec3 above{p.x, p.y, Slice::kLayers};
     const auto found = std::find(contour_.points.begin(), contour_.points.end(), above);
     DELISO_CHECK(found != contour_.points.end());
-    upper_.push_back(VertexId(found - contour_.points.begin()));
+    upper_.push_back(ContourId(found - contour_.points.begin()));
   }
 }
 
@@ -49,7 +49,7 @@ FlatContour::Regions FlatContour::regions(const std::vector<std::size_t>& sites)
   DELISO_CHECK(triangulation.build(places, ids));
   const Labels labels(contour_, triangulation);
   Regions out;
-  for (const VertexId v : lower_) {
+  for (const ContourId v : lower_) {
     const auto site = std::find(ids.begin(), ids.end(), labels.label(v)) - ids.begin();
     out.site_of.push_back(sites[static_cast<std::size_t>(site)]);
   }

@@ -37,7 +37,7 @@ class FlatContour {
 
  private:
   ContourMesh contour_;
-  std::vector<VertexId> lower_, upper_;
+  std::vector<ContourId> lower_, upper_;
   std::vector<Vec2> points_;
   std::vector<std::vector<std::size_t>> loops_;
 };

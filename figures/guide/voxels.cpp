@@ -60,14 +60,14 @@ void draw_voxel(Drawing& out, const Vec2& corner, const Corners& values, const c
   // T of many cells, which looks like Sigma, with its boundary and the crossings of grid edges: the
   // furthest first, lit from the upper left, the outside blue and the inside orange.
   const ContourMesh fine = build_contour(volume, 0, {{0}, {kCells, kCells, kCells}});
-  const auto is_crossing = [&](VertexId v) {
+  const auto is_crossing = [&](ContourId v) {
     int on_faces = 0;
     for (int axis = 0; axis < 3; ++axis) {
       on_faces += fine.points[v][axis] == 0 || fine.points[v][axis] == 1;
     }
     return on_faces == 2;
   };
-  std::vector<std::array<VertexId, 3>> pieces = fine.triangles;
+  std::vector<ContourTriangle> pieces = fine.triangles;
   for (std::size_t c = 0; c < fine.boundary.size(); ++c) {
     const auto& chain = fine.boundary.vertices[c];
     for (std::size_t n = 0; n < chain.size(); ++n) {
@@ -75,9 +75,9 @@ void draw_voxel(Drawing& out, const Vec2& corner, const Corners& values, const c
       if (is_crossing(chain[n])) pieces.push_back({chain[n], chain[n], chain[n]});
     }
   }
-  const auto depth = [&](const std::array<VertexId, 3>& t) {
+  const auto depth = [&](const ContourTriangle& t) {
     double sum = t[0] == t[2] ? -2 * kLine : t[0] == t[1] ? -kLine : 0;
-    for (const VertexId v : t) sum += dot(fine.points[v], kAway);
+    for (const ContourId v : t) sum += dot(fine.points[v], kAway);
     return sum;
   };
   std::stable_sort(pieces.begin(), pieces.end(),
