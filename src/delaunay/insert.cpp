@@ -7,7 +7,6 @@
 #include <limits>
 #include <tuple>
 
-#include "delaunay/insphere_pair.h"
 #include "delaunay/predicates.h"
 
 namespace deliso {
@@ -57,24 +56,17 @@ void Triangulation::begin_search() const {
   in_conflict_ += 2;
 }
 
-// Tests two cells at a time. Conflicts are as good as random, so no branch depends on them: the
-// list is written in any case, and grows or does not.
+// Conflicts are as good as random, so no branch depends on them: the list is written in any case,
+// and grows or does not.
 void Triangulation::keep_conflicts(const Vec3& p, std::size_t begin,
                                    std::vector<CellId>& cells) const {
   std::size_t kept = begin;
-  for (std::size_t k = begin; k < cells.size(); k += 2) {
-    const bool is_pair = k + 1 < cells.size();
-    const CellId first = cells[k], second = cells[k + is_pair];
-    const auto in_conflict = is_infinite(first) || is_infinite(second)
-                                 ? std::array{is_in_conflict(first, p), is_in_conflict(second, p)}
-                                 : inside_spheres(corners(first), corners(second), p);
-    cells[kept] = first;
-    marks_[first] -= in_conflict[0];
-    kept += in_conflict[0];
-    if (!is_pair) break;  // no room for a second; only in the last round, so predictable
-    cells[kept] = second;
-    marks_[second] -= in_conflict[1];
-    kept += in_conflict[1];
+  for (std::size_t k = begin; k < cells.size(); ++k) {
+    const CellId c = cells[k];
+    const bool in_conflict = is_in_conflict(c, p);
+    cells[kept] = c;
+    marks_[c] -= in_conflict;
+    kept += in_conflict;
   }
   cells.resize(kept);
 }
