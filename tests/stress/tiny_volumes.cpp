@@ -32,12 +32,15 @@
 #include "paper/deliso.h"
 #include "stress/in_child.h"
 #include "stress/judge.h"
+#include "stress/see_seed.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;
 using namespace deliso::stress;
 
 namespace {
+
+constexpr std::string_view kProgram = "tiny_volumes";
 
 // With --paper, which need not end by itself. Beyond it there is no mesh.
 constexpr std::size_t kMostVertices = 5000;
@@ -95,6 +98,10 @@ TriMesh make_mesh(const TinyVolume& tiny, const Arguments& arguments, Report& re
   return mesh;
 }
 
+bool is_faulty(const Verdict& verdict, const Arguments& arguments) {
+  return arguments.paper ? verdict.invalid : verdict.fault[0] != 0;
+}
+
 Verdict run(std::uint64_t seed, const Arguments& arguments) {
   const TinyVolume tiny = make_tiny_volume(seed);
   Report report;
@@ -102,10 +109,14 @@ Verdict run(std::uint64_t seed, const Arguments& arguments) {
   const std::clock_t start = std::clock();
   const TriMesh mesh = make_mesh(tiny, arguments, report, vertices_left);
   const std::clock_t meshed = std::clock();
-  Verdict verdict = judge(tiny.volume, mesh, {}, report);
+  Faults faults;
+  Verdict verdict = judge(tiny.volume, mesh, {}, report, faults);
   verdict.invalid &= vertices_left == 0;
   verdict.seconds_mesh = static_cast<double>(meshed - start) / CLOCKS_PER_SEC;
   verdict.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  if (is_faulty(verdict, arguments)) {
+    see_seed(kProgram, seed, tiny.volume, report.kappa_effective, mesh, faults);
+  }
   return verdict;
 }
 
@@ -131,8 +142,10 @@ void add(Row& row, const Verdict& verdict) {
 void list(std::uint64_t seed, const char* what) {
   const TinyVolume tiny = make_tiny_volume(seed);
   const Index3 n = tiny.volume.dims();
-  std::printf("seed %llu %s %dx%dx%d at %.17g: %s\n", static_cast<unsigned long long>(seed),
-              std::string(name_of(kind_of(seed))).c_str(), n.i, n.j, n.k, tiny.isovalue, what);
+  std::printf("seed %llu %s %dx%dx%d: deliso %s --iso %.17g: %s\n",
+              static_cast<unsigned long long>(seed), std::string(name_of(kind_of(seed))).c_str(),
+              n.i, n.j, n.k, file_of_seed(kProgram, seed, tiny.volume).c_str(), tiny.isovalue,
+              what);
 }
 
 void print_row(std::string_view name, const Row& r) {
@@ -155,8 +168,7 @@ int run_all(const Arguments& arguments) {
       [&](std::uint64_t seed) { return run(seed, arguments); },
       [&](std::uint64_t seed, const Verdict& verdict) {
         add(row_of(seed), verdict);
-        const bool faulty = arguments.paper ? verdict.invalid : verdict.fault[0] != 0;
-        if (arguments.list && faulty) list(seed, verdict.fault);
+        if (arguments.list && is_faulty(verdict, arguments)) list(seed, verdict.fault);
         if (arguments.list && is_slow(verdict)) list(seed, "slow");
       },
       [&](std::uint64_t seed, bool hang) {
@@ -183,7 +195,9 @@ int run_all(const Arguments& arguments) {
   const bool exact = arguments.paper || all.inexact == 0;
   const bool embedded = !arguments.embedded || all.pairs == 0;
   const bool matched = !arguments.matched || all.disputed == 0;
-  return all.crashes + all.hangs + all.invalid == 0 && exact && embedded && matched ? 0 : 1;
+  if (all.crashes + all.hangs + all.invalid == 0 && exact && embedded && matched) return 0;
+  tell_next_step(kProgram);
+  return 1;
 }
 
 int write_one(std::uint64_t seed, const std::string& path) {
