@@ -158,4 +158,14 @@ inline std::vector<FaceId> facets_at_fault(const TriMesh& mesh, std::span<const 
   return facets;
 }
 
+// Shows a mesh, T, the facets at fault, and other meshes to compare with. In a test
+// INFO(see_mesh(...)) does so if a check fails.
+inline std::string see_mesh(const std::string& name, const TriMesh& mesh,
+                            const ContourMesh& contour, std::span<const Vec3> places = {},
+                            const std::vector<SeenMesh>& others = {}) {
+  std::vector<SeenMesh> whole{{"mesh", mesh}, {"contour", contour_mesh(contour, mesh.frame)}};
+  whole.insert(whole.end(), others.begin(), others.end());
+  return see(name, whole, {{"fault", facets_alone(mesh, facets_at_fault(mesh, places))}});
+}
+
 }  // namespace deliso::test

@@ -47,14 +47,11 @@ inline std::string file_of_seed(std::string_view program, std::uint64_t seed,
 // compared with, and prints the commands that show them.
 inline void see_seed(std::string_view program, std::uint64_t seed, const Volume& volume,
                      double kappa, const TriMesh& mesh, const Faults& faults,
-                     std::vector<test::SeenMesh> others = {}) {
+                     const std::vector<test::SeenMesh>& others = {}) {
   if (!test::folder_to_see()) return;
-  std::vector<test::SeenMesh> whole{
-      {"mesh", mesh}, {"contour", test::contour_mesh(build_contour(volume, kappa), mesh.frame)}};
-  for (test::SeenMesh& other : others) whole.push_back(std::move(other));
-  const TriMesh fault = test::facets_alone(mesh, test::facets_at_fault(mesh, places_of(faults)));
   const std::string name = text(program, "-", seed);
-  const std::string commands = test::see(name, whole, {{"fault", fault}});
+  const std::string commands =
+      test::see_mesh(name, mesh, build_contour(volume, kappa), places_of(faults), others);
   std::printf("%s is seen by%s\n", name.c_str(), commands.c_str());
   std::fflush(stdout);
 }
