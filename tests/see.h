@@ -85,9 +85,9 @@ struct Aim {
 };
 
 // Writes the meshes of a case, and returns the commands that show them, each on a line of its own;
-// without DELISO_SEE, that there is such a thing. `whole` stand beside each other in a page.
-// `marked` are facets of the first one or of an earlier state: a picture shows them in colors of
-// their own.
+// without DELISO_SEE, that there is such a thing. Of `whole` the first is the mesh, and each other
+// one stands beside it in a page. `marked` are facets of the mesh or of an earlier state: a picture
+// shows them in colors of their own.
 inline std::string see(const std::string& name, const std::vector<SeenMesh>& whole,
                        const std::vector<SeenMesh>& marked) {
   const auto folder = folder_to_see();
@@ -99,22 +99,26 @@ inline std::string see(const std::string& name, const std::vector<SeenMesh>& who
     write_mesh(seen.mesh, file);
     return " " + file;
   };
-  std::string beside, over;
+  std::string over, first, commands;
   Aim aim, all;
   for (const SeenMesh& seen : marked) {
     over += write(seen);
     aim.add(seen.mesh);
   }
   for (const SeenMesh& seen : whole) {
-    beside += write(seen);
     all.add(seen.mesh);
+    const std::string file = write(seen);
+    if (!first.empty() && !file.empty()) {
+      commands += text("\n  deliso view", first, file, " -o ", stem, "-", seen.name, ".html");
+    }
+    if (first.empty()) first = file;
   }
-  std::string commands;
-  if (!beside.empty()) commands += text("\n  deliso view", beside, " -o ", stem, ".html");
-  if (!beside.empty() && aim.box) {
+  if (commands.empty() && !first.empty()) {
+    commands = text("\n  deliso view", first, " -o ", stem, ".html");
+  }
+  if (aim.box && !first.empty()) {
     // Of two facets in one place the first is drawn.
-    over += beside.substr(0, beside.find(' ', 1));
-    commands += text("\n  deliso render", over, " --overlay --edges on -o ", stem, ".png",
+    commands += text("\n  deliso render", over, first, " --overlay --edges on -o ", stem, ".png",
                      aim.options(distance(all.box->lo, all.box->hi)));
   }
   return commands;

@@ -172,7 +172,7 @@ class Stage {
     remove_dead(live);
     const std::string fault = fault_of(live);
     if (fault.empty()) {
-      sound_ = mesh;
+      if (folder_to_see()) sound_ = mesh;
       return fault;
     }
     return fault + see(case_name(),
@@ -348,7 +348,7 @@ class Stage {
   ComponentKinds kinds_;
   int turned_out_;
   double tolerance_ = 0;
-  mutable TriMesh sound_;  // when fault() last found nothing
+  mutable TriMesh sound_;  // with DELISO_SEE: as fault() last found nothing wrong
 };
 
 }  // namespace deliso::test
