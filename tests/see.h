@@ -35,15 +35,16 @@ inline std::optional<std::filesystem::path> folder_to_see() {
   return folder;
 }
 
-// A mesh of the case; its file is called by both names.
+// A mesh of the case, and the end of the name of its file.
 struct SeenMesh {
   std::string_view name;
   TriMesh mesh;
 };
 
-// Where the camera looks: a box in the world, and the sum of the unit normals of what is in it.
+// Where the camera looks: at the first facet of all that are added and those around it. Their box
+// in the world, and the sum of their unit normals.
 struct Aim {
-  std::optional<Box3> box;
+  std::optional<Box3> around, box;
   Vec3 normal;
 
   void add(const TriMesh& mesh) {
@@ -51,6 +52,8 @@ struct Aim {
     for (const Face& face : mesh.faces) {
       const Vec3 &a = points[face.v[0]], &b = points[face.v[1]], &c = points[face.v[2]];
       const Box3 own = box_of(a, b, c);
+      if (!around) around = own.grown(distance(own.lo, own.hi));
+      if (!meet(own, *around)) continue;
       box = box ? united(*box, own) : own;
       const Vec3 across = area_normal(a, b, c);
       if (length(across) > 0) normal = normal + across / length(across);
@@ -84,6 +87,15 @@ struct Aim {
   }
 };
 
+// The diagonal of the mesh's bounding box in the world.
+inline double size_of(const TriMesh& mesh) {
+  const std::vector<Vec3> points = mesh.world_points();
+  if (points.empty()) return 0;
+  Box3 box{points[0], points[0]};
+  for (const Vec3& p : points) box = united(box, {p, p});
+  return distance(box.lo, box.hi);
+}
+
 // Writes the meshes of a case, and returns the commands that show them, each on a line of its own;
 // without DELISO_SEE, that there is such a thing. Of `whole` the first is the mesh, and each other
 // one stands beside it in a page. `marked` are facets of the mesh or of an earlier state: a picture
@@ -100,13 +112,12 @@ inline std::string see(const std::string& name, const std::vector<SeenMesh>& who
     return " " + file;
   };
   std::string over, first, commands;
-  Aim aim, all;
+  Aim aim;
   for (const SeenMesh& seen : marked) {
     over += write(seen);
     aim.add(seen.mesh);
   }
   for (const SeenMesh& seen : whole) {
-    all.add(seen.mesh);
     const std::string file = write(seen);
     if (!first.empty() && !file.empty()) {
       commands += text("\n  deliso view", first, file, " -o ", stem, "-", seen.name, ".html");
@@ -119,7 +130,7 @@ inline std::string see(const std::string& name, const std::vector<SeenMesh>& who
   if (aim.box && !first.empty()) {
     // Of two facets in one place the first is drawn.
     commands += text("\n  deliso render", over, first, " --overlay --edges on -o ", stem, ".png",
-                     aim.options(distance(all.box->lo, all.box->hi)));
+                     aim.options(size_of(whole.front().mesh)));
   }
   return commands;
 }

@@ -155,13 +155,14 @@ int main(int argc, char** argv) {
     }
     if (list && !fault.empty()) {
       const Index3 n = tiny.volume.dims();
+      const std::string file = file_of_seed(kProgram, seed, tiny.volume);
       std::printf(
-          "seed %llu %s %dx%dx%d %s: deliso %s --iso %.17g --block-side %d%s%s%s: %s\n",
+          "seed %llu %s %dx%dx%d %s: %s\n  deliso %s --iso %.17g --block-side %d%s%s%s --check\n",
           static_cast<unsigned long long>(seed), std::string(name_of(kind_of(seed))).c_str(), n.i,
-          n.j, n.k, std::string(name_of(tiny.volume.type())).c_str(),
-          file_of_seed(kProgram, seed, tiny.volume).c_str(), tiny.isovalue, options.block_side,
-          options.cap ? " --cap" : "", options.components.largest > 0 ? " --largest 2" : "",
-          options.has_target() ? " --vertices 60" : "", fault.c_str());
+          n.j, n.k, std::string(name_of(tiny.volume.type())).c_str(), fault.c_str(), file.c_str(),
+          tiny.isovalue, options.block_side, options.cap ? " --cap" : "",
+          options.components.largest > 0 ? " --largest 2" : "",
+          options.has_target() ? " --vertices 60" : "");
       std::fflush(stdout);
     }
   }

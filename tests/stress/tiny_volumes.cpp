@@ -29,6 +29,7 @@
 #include <string_view>
 
 #include "base/check.h"
+#include "base/text.h"
 #include "paper/deliso.h"
 #include "stress/in_child.h"
 #include "stress/judge.h"
@@ -139,13 +140,19 @@ void add(Row& row, const Verdict& verdict) {
   row.seconds += verdict.seconds;
 }
 
+std::string command_of(const TinyVolume& tiny, const std::string& file) {
+  const Vec3 spacing = tiny.volume.spacing();
+  const double r_min = 0.25 * std::max({spacing.x, spacing.y, spacing.z}) /
+                       std::min({spacing.x, spacing.y, spacing.z});
+  return text("deliso ", file, " --iso ", tiny.isovalue, " --rmin ", r_min, "vox --check");
+}
+
 void list(std::uint64_t seed, const char* what) {
   const TinyVolume tiny = make_tiny_volume(seed);
   const Index3 n = tiny.volume.dims();
-  std::printf("seed %llu %s %dx%dx%d: deliso %s --iso %.17g: %s\n",
-              static_cast<unsigned long long>(seed), std::string(name_of(kind_of(seed))).c_str(),
-              n.i, n.j, n.k, file_of_seed(kProgram, seed, tiny.volume).c_str(), tiny.isovalue,
-              what);
+  const std::string command = command_of(tiny, file_of_seed(kProgram, seed, tiny.volume));
+  std::printf("seed %llu %s %dx%dx%d: %s\n  %s\n", static_cast<unsigned long long>(seed),
+              std::string(name_of(kind_of(seed))).c_str(), n.i, n.j, n.k, what, command.c_str());
 }
 
 void print_row(std::string_view name, const Row& r) {
@@ -203,10 +210,7 @@ int run_all(const Arguments& arguments) {
 int write_one(std::uint64_t seed, const std::string& path) {
   const TinyVolume tiny = make_tiny_volume(seed);
   write_nrrd(tiny.volume, path);
-  const Vec3 spacing = tiny.volume.spacing();
-  const double r_min = 0.25 * std::max({spacing.x, spacing.y, spacing.z}) /
-                       std::min({spacing.x, spacing.y, spacing.z});
-  std::printf("deliso %s --iso %.17g --rmin %gvox --check\n", path.c_str(), tiny.isovalue, r_min);
+  std::printf("%s\n", command_of(tiny, path).c_str());
   return 0;
 }
 
