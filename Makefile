@@ -65,11 +65,13 @@ test-all: doctest
 # One room and its tests with assertions on, e.g. `make room ROOM=io/volume CASE='*truncated*'`: seconds
 # after a change of one file. Its build keeps the other rooms.
 room: doctest
-	@$(CONFIGURE) -B $(BUILD)-room -DCMAKE_BUILD_TYPE=Debug \
+	@started=$$(date +%s); \
+	$(CONFIGURE) -B $(BUILD)-room -DCMAKE_BUILD_TYPE=Debug \
 	  -DCMAKE_CXX_FLAGS_DEBUG='-O1 -g1 -D_GLIBCXX_ASSERTIONS' -DDELISO_BUILD_TESTS=ON \
-	  -DDELISO_BUILD_BENCH=OFF >/dev/null
-	@cmake --build $(BUILD)-room -j $(JOBS) --target $(ROOM_TESTS)
-	@$(BUILD)-room/tests/$(ROOM_TESTS) $(if $(CASE),--test-case='$(CASE)')
+	  -DDELISO_BUILD_BENCH=OFF >/dev/null && \
+	cmake --build $(BUILD)-room -j $(JOBS) --target $(ROOM_TESTS) && built=$$(date +%s) && \
+	{ $(BUILD)-room/tests/$(ROOM_TESTS) $(if $(CASE),--test-case='$(CASE)'); status=$$?; } && \
+	echo "compiled in $$((built - started)) s, run in $$(($$(date +%s) - built)) s"; exit $$status
 
 # docs/figures: the paper's figures, on the volumes in DATA; docs/guide/figures: the guide's, and
 # docs/index.html.

@@ -7,6 +7,8 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace deliso::test {
@@ -22,6 +24,13 @@ inline constexpr bool kSanitized = false;
 inline bool all_cases() {
   const char* cases = std::getenv("DELISO_TEST_CASES");
   return !kSanitized && cases && cases == std::string_view("all");
+}
+
+// The test case that runs: its file and line, as part of a file's name.
+inline std::string case_name() {
+  const doctest::detail::TestCase& test = *doctest::getContextOptions()->currentTest;
+  return std::filesystem::path(test.m_file.c_str()).stem().string() + '-' +
+         std::to_string(test.m_line);
 }
 
 // n or a tenth of it. For loops, and for what they must have met.

@@ -16,6 +16,7 @@
 #include "io/volume/builtin_volume.h"
 #include "mesh/meshes.h"
 #include "more/mesh_isosurface.h"
+#include "see.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;
@@ -103,6 +104,7 @@ TEST_CASE("facets of two boxes at a seam never cross, and any number of threads 
     Options options = in_blocks(8);
     Report report;
     const TriMesh mesh = mesh_isosurface(volume, isovalue, options, report);
+    INFO(test::see_mesh(test::case_name(), mesh, build_contour(volume, report.kappa_effective)));
     CHECK(mesh_topology(mesh).counts() == report.exact);
     const Verification found = verify(mesh, volume, report.kappa_effective, {});
     CHECK(found.faults.count(FaultKind::self_intersections) == 0);

@@ -14,6 +14,7 @@
 #include "contour/plain_seams.h"
 #include "fields.h"
 #include "mesh/component_kinds.h"
+#include "see.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;
@@ -72,6 +73,7 @@ TEST_CASE("the coarsened contour is embedded, of T's topology, and its vertices 
     if (scene.contour.points.empty()) continue;
     const Coarse coarse(scene);
     const TriMesh& mesh = coarse.mesh.mesh;
+    INFO(test::see_mesh(test::case_name(), mesh, scene.contour));
     REQUIRE(check_mesh(mesh) == "");
     CHECK(kinds_of(mesh) == kinds_of(scene.contour.summary));
     CHECK(crossings(mesh) == 0);
@@ -97,6 +99,7 @@ TEST_CASE("by a bound of a voxel the topology stays") {
     options.limits[Criterion::distance] = {1, Length::Unit::voxel};
     options.limits[Criterion::r_over_l].value = 20;
     const Coarse coarse(scene, options);
+    INFO(test::see_mesh(test::case_name(), coarse.mesh.mesh, scene.contour));
     REQUIRE(check_mesh(coarse.mesh.mesh) == "");
     CHECK(kinds_of(coarse.mesh.mesh) == kinds_of(scene.contour.summary));
     CHECK(crossings(coarse.mesh.mesh) == 0);

@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
+#include "mesh/tri_mesh.h"
 
 namespace deliso::test {
 
@@ -37,6 +39,21 @@ inline std::vector<std::pair<FaceId, FaceId>> all_crossings(
     }
   }
   std::ranges::sort(pairs);
+  return pairs;
+}
+
+// The same of the facets of a mesh, but those without area. pre: none is dead.
+inline std::vector<std::pair<FaceId, FaceId>> all_crossings(const TriMesh& mesh) {
+  std::vector<FaceId> facets;
+  std::vector<Triangle> triangles;
+  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
+    const Triangle& v = mesh.faces[f].v;
+    if (collinear(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]])) continue;
+    facets.push_back(f);
+    triangles.push_back(v);
+  }
+  auto pairs = all_crossings(mesh.points, triangles);
+  for (auto& [f, g] : pairs) f = facets[f.number()], g = facets[g.number()];
   return pairs;
 }
 

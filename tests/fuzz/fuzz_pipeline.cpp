@@ -6,8 +6,8 @@
 // the published program. It ends, and its mesh is such a manifold unless it left vertices without a
 // disk.
 //
-// With DELISO_FUZZ_WRITE=FILE.nrrd in the environment the volume is written there and the command
-// line that does the same is printed.
+// With DELISO_SEE=folder in the environment (tests/see.h) the volume is written there too, and the
+// command line that does the same is printed.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -18,6 +18,7 @@
 #include "fuzz/reader_target.h"
 #include "paper/deliso.h"
 #include "stress/judge.h"
+#include "stress/see_seed.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;
@@ -178,30 +179,42 @@ paper::Options make_paper_options(ByteSource& source, const Volume& volume) {
   return options;
 }
 
-void write_case(const Volume& volume, double isovalue, const Options& o, const char* path) {
+void write_case(const Volume& volume, double isovalue, const Options& o, const std::string& path) {
   stress::write_nrrd(volume, path);
   std::printf(
       "deliso %s --iso %.17g --rmin %.17gvox --min-component %g --lambda %.17g --max-vertices %zu"
       " --block-side %d%s"
       " --max-distance %.17g%s --max-radius %.17g --eps1 %.17g --check\n",
-      path, isovalue, o.r_min.value, o.components.min_voxels, o.limits[Criterion::r_over_l].value,
-      o.max_vertices, o.block_side, o.stop_after_stage1 ? " --stop-after stage1" : "",
-      o.limits[Criterion::distance].value,
+      path.c_str(), isovalue, o.r_min.value, o.components.min_voxels,
+      o.limits[Criterion::r_over_l].value, o.max_vertices, o.block_side,
+      o.stop_after_stage1 ? " --stop-after stage1" : "", o.limits[Criterion::distance].value,
       o.limits[Criterion::distance].unit == Length::Unit::voxel ? "vox" : "",
       o.limits[Criterion::radius].value, o.limits[Criterion::h_over_r].value);
   std::fflush(stdout);
 }
 
-void write_case(const Volume& volume, double isovalue, const paper::Options& o, const char* path) {
+void write_case(const Volume& volume, double isovalue, const paper::Options& o,
+                const std::string& path) {
   stress::write_nrrd(volume, path);
   std::printf(
       "deliso %s --iso %.17g --paper --rmin %.17g --eps %.17g --eps1 %.17g --eps2 %.17g "
       "--lambda %.17g --lines %zu --seed %llu --max-vertices %zu%s%s%s%s --check\n",
-      path, isovalue, o.r_min, o.epsilon, o.epsilon1, o.epsilon2, o.lambda, o.lines,
+      path.c_str(), isovalue, o.r_min, o.epsilon, o.epsilon1, o.epsilon2, o.lambda, o.lines,
       static_cast<unsigned long long>(o.seed), o.max_vertices, o.keep_hits ? " --keep-hits" : "",
       o.single_stage ? " --single-stage" : "", o.stop_after_recover ? " --stop-after stage1" : "",
       o.solver == CubicMethod::isolation ? " --solver isolation" : "");
   std::fflush(stdout);
+}
+
+// Stops the run where is_fault(verdict).
+template <class IsFault>
+void judge_and_see(const Volume& volume, const TriMesh& mesh, const Options& options,
+                   const Report& report, const IsFault& is_fault) {
+  Faults faults;
+  const stress::Verdict verdict = stress::judge(volume, mesh, options, report, faults);
+  if (!is_fault(verdict)) return;
+  stress::see_seed("pipeline", 0, volume, report.kappa_effective, mesh, faults);
+  found(verdict.fault);
 }
 
 void try_exact(const Volume& volume, double isovalue, const Options& options) {
@@ -215,9 +228,9 @@ void try_exact(const Volume& volume, double isovalue, const Options& options) {
     require(!has_voxel || options.max_vertices < 1u << 20, "refused without --max-vertices");
     return;
   }
-  const stress::Verdict verdict = stress::judge(volume, mesh, options, report);
-  if (verdict.invalid) found(verdict.fault);
-  if (options.components.is_all() && !verdict.topology_exact) found(verdict.fault);
+  judge_and_see(volume, mesh, options, report, [&](const stress::Verdict& verdict) {
+    return verdict.invalid || (options.components.is_all() && !verdict.topology_exact);
+  });
 }
 
 void try_published(const Volume& volume, double isovalue, const paper::Options& options) {
@@ -231,8 +244,9 @@ void try_published(const Volume& volume, double isovalue, const paper::Options& 
   }
   Report report;
   report.kappa_effective = counts.kappa;
-  const stress::Verdict verdict = stress::judge(volume, mesh, {}, report);
-  if (verdict.invalid && counts.vertices_left == 0) found(verdict.fault);
+  judge_and_see(volume, mesh, {}, report, [&](const stress::Verdict& verdict) {
+    return verdict.invalid && counts.vertices_left == 0;
+  });
 }
 
 }  // namespace
@@ -244,10 +258,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   for (std::uint8_t& byte : front) byte = source.next();
   const Volume volume = make_volume(source);
   ByteSource choices(front, sizeof front);
-  const char* path = std::getenv("DELISO_FUZZ_WRITE");
+  const auto folder = test::folder_to_see();
   const auto go = [&](const auto& options, auto& attempt) {
     const double isovalue = make_isovalue(choices, volume, value_range(volume));
-    if (path) write_case(volume, isovalue, options, path);
+    if (folder) write_case(volume, isovalue, options, (*folder / "pipeline.nrrd").string());
     attempt(volume, isovalue, options);
   };
   if (choices.below(3) == 0) {

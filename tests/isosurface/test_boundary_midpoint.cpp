@@ -120,7 +120,7 @@ TEST_CASE("between points several pixels apart it is the nearest hit of the chor
 
 // An edge of a mesh from a file, 1e29 long in the plane of a face: every grid line on the way was
 // visited, without end where a double has no room for the next one.
-TEST_CASE("edges far off the box cost no more than the box has grid lines") {
+TEST_CASE("the search along an edge far off the box ends") {
   Random random(23);
   int hits = 0, misses = 0;
   for (int trial = 0; trial < 400; ++trial) {

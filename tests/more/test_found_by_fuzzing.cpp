@@ -8,11 +8,13 @@
 
 #include "base/random.h"
 #include "base/triangle.h"
+#include "cases.h"
 #include "check/check_mesh.h"
 #include "check/verify.h"
 #include "contour/contour.h"
 #include "io/volume/builtin_volume.h"
 #include "more/mesh_isosurface.h"
+#include "see.h"
 #include "stress/option_volume.h"
 
 using namespace deliso;
@@ -40,6 +42,7 @@ std::size_t count_faults(FaultKind kind, const Volume& volume, double isovalue, 
   if (block_side > 0) options.block_side = block_side;
   Report report;
   const TriMesh mesh = mesh_isosurface(volume, isovalue, options, report);
+  INFO(test::see_mesh(test::case_name(), mesh, build_contour(volume, report.kappa_effective)));
   check_sound(mesh, volume);
   return verify(mesh, volume, report.kappa_effective, {}).faults.count(kind);
 }

@@ -17,6 +17,7 @@
 #include "mesh/component_kinds.h"
 #include "more/mesh_isosurface.h"
 #include "run/criteria.h"
+#include "see.h"
 #include "surface/surface_point.h"
 
 using namespace deliso;
@@ -41,6 +42,7 @@ constexpr double kMovedValues = 1e-3;  // of the range of samples
 // What holds of every mesh, whatever the surface.
 void check_sound(const Run& out, const Volume& volume) {
   const TriMesh& mesh = out.mesh;
+  INFO(test::see_mesh(test::case_name(), mesh, build_contour(volume, out.report.kappa_effective)));
   CHECK(check_mesh(mesh) == "");
   CHECK(check_boundary_on_box(mesh, volume.box()) == "");
   const ValueRange range = value_range(volume);

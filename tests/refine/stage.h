@@ -13,14 +13,15 @@
 
 #include "base/random.h"
 #include "base/triangle.h"
+#include "cases.h"
 #include "check/check_mesh.h"
-#include "delaunay/predicates.h"
 #include "embedding/all_crossings.h"
 #include "fields.h"
 #include "mesh/component_kinds.h"
 #include "refine/refine.h"
 #include "refine/refinement.h"
 #include "run/options.h"
+#include "see.h"
 
 namespace deliso::test {
 
@@ -79,12 +80,7 @@ inline int turned_out(const TriMesh& mesh) {
 
 // Two facets that cross, of all; empty when there are none.
 inline std::string crossing_in(const TriMesh& mesh) {
-  std::vector<Triangle> triangles;
-  for (const Face& face : mesh.faces) {
-    const Triangle& v = face.v;
-    if (!collinear(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]])) triangles.push_back(v);
-  }
-  const auto pairs = all_crossings(mesh.points, triangles);
+  const auto pairs = all_crossings(mesh);
   return pairs.empty() ? "" : std::to_string(pairs.size()) + " pairs of facets cross";
 }
 
@@ -178,25 +174,19 @@ class Stage {
   double off_isovalue(const Vec3& p) const {
     return std::abs(scene.volume.value(p) - scene.surface.kappa());
   }
-  // The first thing wrong with the mesh as it is now; empty when all is well.
+  // The first thing wrong with the mesh as it is now, and how to see it; empty when all is well.
   std::string fault() const {
     SurfaceMesh live = surface_mesh;
     remove_dead(live);
-    std::string fault = check_mesh(live.mesh);
-    if (fault.empty()) fault = check_boundary_on_box(live.mesh, scene.volume.box());
-    if (!fault.empty()) return fault;
-    if (kinds_of(live.mesh) != kinds_) return "another topology";
-    if (turned_out(live.mesh) != turned_out_) return "a component turned inside out";
-    if (live.duals.size() != live.mesh.faces.size()) return "not one dual for each facet";
-    fault = fault_of_chain(live);
-    if (fault.empty()) fault = fault_of_chain(surface_mesh);
-    if (!fault.empty()) return fault;
-    for (const Vec3& p : live.mesh.points) {
-      if (!(off_isovalue(p) <= tolerance_)) {
-        return "a vertex off the surface";
-      }
+    const std::string fault = fault_of(live);
+    if (fault.empty()) {
+      if (folder_to_see()) sound_ = mesh;
+      return fault;
     }
-    return crossing_in(live.mesh);
+    return fault + see(case_name(),
+                       {{"mesh", live.mesh}, {"contour", contour_mesh(scene.contour, mesh.frame)}},
+                       {{"fault", facets_alone(live.mesh, facets_at_fault(live.mesh, {}))},
+                        {"cavity", facets_alone(sound_, changed_facets())}});
   }
 
   // Checks the duals of these facets against the oracle, and their boxes in the spatial hash.
@@ -314,6 +304,37 @@ class Stage {
     return surface_mesh.mesh;
   }
 
+  std::string fault_of(const SurfaceMesh& live) const {
+    std::string fault = check_mesh(live.mesh);
+    if (fault.empty()) fault = check_boundary_on_box(live.mesh, scene.volume.box());
+    if (!fault.empty()) return fault;
+    if (kinds_of(live.mesh) != kinds_) return "another topology";
+    if (turned_out(live.mesh) != turned_out_) return "a component turned inside out";
+    if (live.duals.size() != live.mesh.faces.size()) return "not one dual for each facet";
+    fault = fault_of_chain(live);
+    if (fault.empty()) fault = fault_of_chain(surface_mesh);
+    if (!fault.empty()) return fault;
+    for (const Vec3& p : live.mesh.points) {
+      if (!(off_isovalue(p) <= tolerance_)) {
+        return "a vertex off the surface";
+      }
+    }
+    return crossing_in(live.mesh);
+  }
+
+  // The facets of the last sound mesh that are gone, or changed in place.
+  std::vector<FaceId> changed_facets() const {
+    std::vector<FaceId> changed;
+    for (FaceId f = 0; f < sound_.faces.size(); ++f) {
+      const Triangle& was = sound_.faces[f].v;
+      if (is_dead(sound_.faces[f])) continue;
+      const auto moved = [&](VertexId v) { return mesh.points[v] != sound_.points[v]; };
+      const bool is_there = f < mesh.faces.size() && mesh.faces[f].v == was;
+      if (!is_there || std::ranges::any_of(was, moved)) changed.push_back(f);
+    }
+    return changed;
+  }
+
   // The chain's edges are the boundary edges, the way the chain runs or against it.
   static std::string fault_of_chain(const SurfaceMesh& s) {
     std::size_t boundary_edges = 0, chain_edges = 0;
@@ -335,6 +356,7 @@ class Stage {
   ComponentKinds kinds_;
   int turned_out_;
   double tolerance_ = 0;
+  mutable TriMesh sound_;  // with DELISO_SEE: as fault() last found nothing wrong
 };
 
 }  // namespace deliso::test

@@ -9,12 +9,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 #include "base/text.h"
 #include "check/verify.h"
 #include "mesh/meshes.h"
 #include "more/mesh_isosurface.h"
 #include "stress/judge.h"
+#include "stress/see_seed.h"
 #include "stress/seeds.h"
 #include "stress/tiny_volume.h"
 
@@ -23,6 +25,7 @@ using namespace deliso::stress;
 
 namespace {
 
+constexpr std::string_view kProgram = "stress_division";
 constexpr int kThreads[] = {2, 3, 8, 16};
 
 Options options_for(std::uint64_t seed) {
@@ -72,11 +75,11 @@ TriMesh surface_of(const TriMesh& mesh, std::size_t triangles) {
 // How far vertices may be moved off Sigma (refine/separate.cpp), in voxels.
 constexpr double kMovedVoxels = 0.01;
 
-// Returns what is wrong with the mesh; empty: nothing. Sets `is_close` where the mesh is nearly
-// flat on itself: that is counted, not ruled out. Boxes around the seams of blocks so small do not
-// reach over each other, so places at their ends stay.
+// Returns what is wrong with the mesh; empty: nothing. Sets `faults`, and `is_close` where the mesh
+// is nearly flat on itself: that is counted, not ruled out. Boxes around the seams of blocks so
+// small do not reach over each other, so places at their ends stay.
 std::string fault_of(const Volume& volume, const TriMesh& mesh, const Options& options,
-                     const Report& report, bool& is_close) {
+                     const Report& report, Faults& faults, bool& is_close) {
   using enum FaultKind;
   if (options.cap && !report.cap.failure.empty()) return "open: " + report.cap.failure;
   const std::size_t triangles = options.cap ? report.cap.surface_triangles : mesh.faces.size();
@@ -88,6 +91,7 @@ std::string fault_of(const Volume& volume, const TriMesh& mesh, const Options& o
   how.components = options.components;
   how.solid = options.cap;
   const Verification found = verify(mesh, volume, report.kappa_effective, how);
+  faults = found.faults;
   for (const FaultKind kind : {needle_triangles, folds, near_vertices}) {
     is_close |= found.faults.count(kind) > 0;
   }
@@ -126,12 +130,13 @@ int main(int argc, char** argv) {
     Options options = options_for(seed);
     std::string fault;
     bool is_close = false;
+    Faults faults;
     try {
       Report report, same;
       const TriMesh mesh = mesh_isosurface(tiny.volume, tiny.isovalue, options, report);
       options.threads = kThreads[seed % std::size(kThreads)];
       const TriMesh again = mesh_isosurface(tiny.volume, tiny.isovalue, options, same);
-      fault = fault_of(tiny.volume, mesh, options, report, is_close);
+      fault = fault_of(tiny.volume, mesh, options, report, faults, is_close);
       close += is_close;
       faulty += !fault.empty();
       triangles += mesh.faces.size();
@@ -140,19 +145,24 @@ int main(int argc, char** argv) {
         ++differing;
         fault += " another mesh in other threads";
       }
+      if (!fault.empty()) {
+        see_seed(kProgram, seed, tiny.volume, report.kappa_effective, mesh, faults,
+                 {{"again", again}});
+      }
     } catch (const InputError& error) {
       ++refused;
       fault = error.what();
     }
     if (list && !fault.empty()) {
       const Index3 n = tiny.volume.dims();
-      std::printf("seed %llu %s %dx%dx%d %s at %.17g, --block-side %d%s%s%s: %s\n",
-                  static_cast<unsigned long long>(seed),
-                  std::string(name_of(kind_of(seed))).c_str(), n.i, n.j, n.k,
-                  std::string(name_of(tiny.volume.type())).c_str(), tiny.isovalue,
-                  options.block_side, options.cap ? " --cap" : "",
-                  options.components.largest > 0 ? " --largest 2" : "",
-                  options.has_target() ? " --vertices 60" : "", fault.c_str());
+      const std::string file = file_of_seed(kProgram, seed, tiny.volume);
+      std::printf(
+          "seed %llu %s %dx%dx%d %s: %s\n  deliso %s --iso %.17g --block-side %d%s%s%s --check\n",
+          static_cast<unsigned long long>(seed), std::string(name_of(kind_of(seed))).c_str(), n.i,
+          n.j, n.k, std::string(name_of(tiny.volume.type())).c_str(), fault.c_str(), file.c_str(),
+          tiny.isovalue, options.block_side, options.cap ? " --cap" : "",
+          options.components.largest > 0 ? " --largest 2" : "",
+          options.has_target() ? " --vertices 60" : "");
       std::fflush(stdout);
     }
   }
@@ -164,5 +174,6 @@ int main(int argc, char** argv) {
       static_cast<unsigned long long>(close), static_cast<unsigned long long>(refused),
       static_cast<unsigned long long>(differing), static_cast<unsigned long long>(again_coarsened),
       static_cast<unsigned long long>(triangles));
+  if (faulty + refused + differing > 0) tell_next_step(kProgram);
   return faulty + refused + differing > 0 || 2 * close > count;
 }

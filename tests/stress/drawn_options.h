@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "check/verify.h"
 #include "mesh/tri_mesh.h"
 #include "stress/option_volume.h"
+#include "volume/volume.h"
 
 namespace deliso::stress {
 
@@ -32,6 +34,8 @@ struct Outcome {
   bool says_off_surface = false;  // the report tells of vertices that --cap put off the surface
   MeshQuality quality;            // of the surface
   Verification verification;
+  std::optional<Volume> field;  // that was meshed at `kappa`
+  double kappa = 0;
   double voxel = 0;
   double seconds = 0;  // of processor time, without the check
 

@@ -10,9 +10,11 @@
 //   cmake --build build --target exact_topology
 //   build/tests/exact_topology --count 30000
 #include <cstdio>
+#include <string_view>
 
 #include "contour/glued_topology.h"
 #include "contour/wide_values.h"
+#include "stress/see_seed.h"
 #include "stress/seeds.h"
 #include "stress/tiny_volume.h"
 
@@ -21,6 +23,7 @@ using namespace deliso::stress;
 
 namespace {
 
+constexpr std::string_view kProgram = "exact_topology";
 constexpr int kSmallest = 2, kLargest = 5;
 
 struct Counts {
@@ -66,9 +69,12 @@ int main(int argc, char** argv) {
     const ComponentKinds found = kinds_of(summarize_contour(tiny.volume, kappa));
     if (found == *expected) continue;
     ++row.different;
-    std::printf(
-        "seed %llu (%s): %zu components, exactly %zu\n", static_cast<unsigned long long>(seed),
-        kNames[is_wide ? static_cast<int>(kind) : kWideKinds], found.size(), expected->size());
+    const TriMesh contour = test::contour_mesh(build_contour(tiny.volume, kappa), {});
+    std::printf("seed %llu (%s, %s): %zu components, exactly %zu%s\n",
+                static_cast<unsigned long long>(seed),
+                kNames[is_wide ? static_cast<int>(kind) : kWideKinds],
+                file_of_seed(kProgram, seed, tiny.volume).c_str(), found.size(), expected->size(),
+                test::see(text(kProgram, "-", seed), {{"contour", contour}}, {}).c_str());
   }
   std::printf("%-14s %10s %10s %10s %10s\n", "kind", "volumes", "different", "undecided",
               "components");

@@ -35,15 +35,16 @@ inline std::string first_of(const Faults& faults, std::initializer_list<FaultKin
   return {};
 }
 
-// Only the two slow checkers and the contour are trusted, each with its own counts.
+// Only the two slow checkers and the contour are trusted, each with its own counts. Sets `faults`.
 inline Verdict judge(const Volume& volume, const TriMesh& mesh, const Options& options,
-                     const Report& report) {
+                     const Report& report, Faults& faults) {
   using enum FaultKind;
   Verdict verdict;
   VerifyOptions how;
   how.components = options.components;
   how.restricted_share = 0;
   const Verification v = verify(mesh, volume, report.kappa_effective, how);
+  faults = v.faults;
   std::string fault = check_mesh(mesh);
   if (fault.empty()) fault = check_boundary_on_box(mesh, volume.box());
   verdict.invalid = !fault.empty();

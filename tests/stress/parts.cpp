@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -36,6 +37,7 @@
 #include "stress/in_child.h"
 #include "stress/joined_parts.h"
 #include "stress/option_volume.h"
+#include "stress/see_seed.h"
 #include "stress/seeds.h"
 
 using namespace deliso;
@@ -43,6 +45,7 @@ using namespace deliso::stress;
 
 namespace {
 
+constexpr std::string_view kProgram = "stress_parts";
 constexpr int kParts[] = {4, 7, 64, 1};
 constexpr unsigned kMostSeconds = 60;
 constexpr std::uint64_t kMoreRounds = 8;
@@ -83,6 +86,7 @@ struct Made {
   std::string refusal;
   TriMesh mesh;
   Report report;
+  std::optional<Volume> field;
 };
 
 // Calls make(run, progress, warn), which returns the mesh of the line.
@@ -95,6 +99,7 @@ Made made_by(const CommandLine& line, const Make& make) {
     ProgressBar none(mesh_stages(line), false);
     made.mesh = make(run, none, [](const std::string&) {});
     made.report = run.report;
+    made.field = input.volume();
   } catch (const InputError& error) {
     made.refusal = error.what();
   }
@@ -165,10 +170,15 @@ Verdict run_seed(std::uint64_t seed, const std::string& file) {
     return end(is_same ? Verdict::refused : Verdict::nothing, whole.refusal);
   }
   const std::string fault = difference(joined, whole);
+  if (!fault.empty()) {
+    see_seed(kProgram, seed, *whole.field, whole.report.kappa_effective, joined.mesh, {},
+             {{"whole", whole.mesh}});
+  }
   return end(fault.empty() ? Verdict::joined : Verdict::fault, fault);
 }
 
-void list(std::uint64_t seed, const std::string& file, std::string_view what) {
+void list(std::uint64_t seed, std::string_view what) {
+  const std::string file = file_of_seed(kProgram, seed, make_case(seed, "").volume.tiny.volume);
   std::string line = text("seed ", seed, ": ", what, "\n  deliso");
   for (const std::string& word : make_case(seed, file).words) line += " " + word;
   std::printf("%s\n", line.c_str());
@@ -187,11 +197,11 @@ int run_all(std::uint64_t first, std::uint64_t count, bool listed) {
         [&](std::uint64_t seed, const Verdict& verdict) {
           ++outcomes[verdict.outcome];
           if (verdict.outcome <= Verdict::refused) tested.insert(first_option(seed).name);
-          if (listed && verdict.outcome == Verdict::fault) list(seed, file, verdict.what);
+          if (listed && verdict.outcome == Verdict::fault) list(seed, verdict.what);
         },
         [&](std::uint64_t seed, bool hung) {
           ++crashed;
-          list(seed, file, hung ? "hung" : "crashed");
+          list(seed, hung ? "hung" : "crashed");
         });
   };
   bool forked = run(first, first + count);
@@ -216,7 +226,9 @@ int run_all(std::uint64_t first, std::uint64_t count, bool listed) {
     std::printf("never tested: %s\n", std::string(option.name).c_str());
     all_tested = false;
   }
-  return outcomes[Verdict::fault] > 0 || crashed > 0 || !all_tested;
+  const bool faulty = outcomes[Verdict::fault] > 0 || crashed > 0;
+  if (faulty) tell_next_step(kProgram);
+  return faulty || !all_tested;
 }
 
 }  // namespace

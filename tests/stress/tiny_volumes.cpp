@@ -29,15 +29,19 @@
 #include <string_view>
 
 #include "base/check.h"
+#include "base/text.h"
 #include "paper/deliso.h"
 #include "stress/in_child.h"
 #include "stress/judge.h"
+#include "stress/see_seed.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;
 using namespace deliso::stress;
 
 namespace {
+
+constexpr std::string_view kProgram = "tiny_volumes";
 
 // With --paper, which need not end by itself. Beyond it there is no mesh.
 constexpr std::size_t kMostVertices = 5000;
@@ -95,6 +99,10 @@ TriMesh make_mesh(const TinyVolume& tiny, const Arguments& arguments, Report& re
   return mesh;
 }
 
+bool is_faulty(const Verdict& verdict, const Arguments& arguments) {
+  return arguments.paper ? verdict.invalid : verdict.fault[0] != 0;
+}
+
 Verdict run(std::uint64_t seed, const Arguments& arguments) {
   const TinyVolume tiny = make_tiny_volume(seed);
   Report report;
@@ -102,10 +110,14 @@ Verdict run(std::uint64_t seed, const Arguments& arguments) {
   const std::clock_t start = std::clock();
   const TriMesh mesh = make_mesh(tiny, arguments, report, vertices_left);
   const std::clock_t meshed = std::clock();
-  Verdict verdict = judge(tiny.volume, mesh, {}, report);
+  Faults faults;
+  Verdict verdict = judge(tiny.volume, mesh, {}, report, faults);
   verdict.invalid &= vertices_left == 0;
   verdict.seconds_mesh = static_cast<double>(meshed - start) / CLOCKS_PER_SEC;
   verdict.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  if (is_faulty(verdict, arguments)) {
+    see_seed(kProgram, seed, tiny.volume, report.kappa_effective, mesh, faults);
+  }
   return verdict;
 }
 
@@ -128,11 +140,19 @@ void add(Row& row, const Verdict& verdict) {
   row.seconds += verdict.seconds;
 }
 
+std::string command_of(const TinyVolume& tiny, const std::string& file) {
+  const Vec3 spacing = tiny.volume.spacing();
+  const double r_min = 0.25 * std::max({spacing.x, spacing.y, spacing.z}) /
+                       std::min({spacing.x, spacing.y, spacing.z});
+  return text("deliso ", file, " --iso ", tiny.isovalue, " --rmin ", r_min, "vox --check");
+}
+
 void list(std::uint64_t seed, const char* what) {
   const TinyVolume tiny = make_tiny_volume(seed);
   const Index3 n = tiny.volume.dims();
-  std::printf("seed %llu %s %dx%dx%d at %.17g: %s\n", static_cast<unsigned long long>(seed),
-              std::string(name_of(kind_of(seed))).c_str(), n.i, n.j, n.k, tiny.isovalue, what);
+  const std::string command = command_of(tiny, file_of_seed(kProgram, seed, tiny.volume));
+  std::printf("seed %llu %s %dx%dx%d: %s\n  %s\n", static_cast<unsigned long long>(seed),
+              std::string(name_of(kind_of(seed))).c_str(), n.i, n.j, n.k, what, command.c_str());
 }
 
 void print_row(std::string_view name, const Row& r) {
@@ -155,8 +175,7 @@ int run_all(const Arguments& arguments) {
       [&](std::uint64_t seed) { return run(seed, arguments); },
       [&](std::uint64_t seed, const Verdict& verdict) {
         add(row_of(seed), verdict);
-        const bool faulty = arguments.paper ? verdict.invalid : verdict.fault[0] != 0;
-        if (arguments.list && faulty) list(seed, verdict.fault);
+        if (arguments.list && is_faulty(verdict, arguments)) list(seed, verdict.fault);
         if (arguments.list && is_slow(verdict)) list(seed, "slow");
       },
       [&](std::uint64_t seed, bool hang) {
@@ -183,16 +202,15 @@ int run_all(const Arguments& arguments) {
   const bool exact = arguments.paper || all.inexact == 0;
   const bool embedded = !arguments.embedded || all.pairs == 0;
   const bool matched = !arguments.matched || all.disputed == 0;
-  return all.crashes + all.hangs + all.invalid == 0 && exact && embedded && matched ? 0 : 1;
+  if (all.crashes + all.hangs + all.invalid == 0 && exact && embedded && matched) return 0;
+  tell_next_step(kProgram);
+  return 1;
 }
 
 int write_one(std::uint64_t seed, const std::string& path) {
   const TinyVolume tiny = make_tiny_volume(seed);
   write_nrrd(tiny.volume, path);
-  const Vec3 spacing = tiny.volume.spacing();
-  const double r_min = 0.25 * std::max({spacing.x, spacing.y, spacing.z}) /
-                       std::min({spacing.x, spacing.y, spacing.z});
-  std::printf("deliso %s --iso %.17g --rmin %gvox --check\n", path.c_str(), tiny.isovalue, r_min);
+  std::printf("%s\n", command_of(tiny, path).c_str());
   return 0;
 }
 
