@@ -292,6 +292,32 @@ TEST_CASE(
   CHECK(stage.fault_of(stage.r.created()) == "");
 }
 
+TEST_CASE("proposals of a cavity can be made in any order, until one is done or another is open") {
+  const Scene scene = builtin_scene("sphere", 16);
+  Stage stage(scene);
+  FaceId f = 0, g = 1;
+  while (!stage.surface_mesh.duals[f].on_surface) ++f;
+  while (has_corner(stage.mesh.faces[g].v, stage.mesh.faces[f].v[0])) ++g;
+  const Vec3 far = stage.corner(f, 0) + 100 * stage.normal(f) / length(stage.normal(f));
+  const auto propose = [&] {
+    const Cavity* cavity = stage.r.open({&f, 1});
+    REQUIRE(cavity);
+    return std::pair{cavity->cone(stage.surface_mesh.duals[f].center, kInsertionGates),
+                     cavity->cone(far, kInsertionGates)};
+  };
+  const Stage::Snapshot before = stage.snapshot();
+  const auto [old, unused] = propose();
+  REQUIRE(stage.r.open({&g, 1}));
+  CHECK_THROWS_AS(stage.r.make(old), InternalError);
+  const auto [good, bad] = propose();
+  CHECK(stage.r.make(bad));
+  CHECK(stage.r.make(bad));
+  CHECK(stage.snapshot() == before);
+  CHECK_FALSE(stage.r.make(good));
+  CHECK_THROWS_AS(stage.r.make(good), InternalError);  // its facets are gone
+  CHECK(stage.fault() == "");
+}
+
 // Two sheets close to each other, and vertices of one pulled through the other and back. What the
 // gates before would say is set aside: no facet is held to have a surface point.
 TEST_CASE(
