@@ -244,6 +244,7 @@ class SwitchRow {
       all += std::accumulate(runs.begin(), runs.end(), 0.);
       ++count;
     }
+    if (count == 0) return NAN;
     switch (measure.over) {
       case Over::ratio:
         return std::exp(logarithms / count);
