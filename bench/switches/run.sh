@@ -80,7 +80,8 @@ for name in $names; do
 
   # The rows of this switch and of the base go into the page, below those of the others.
   "$build/bench/quality" --switches "$work/base.tsv" "$work/$name.tsv" --markdown |
-    awk -v day="$(date -u +%Y-%m-%d)" -f "$here/put.awk" - "$page" >"$work/page"
+    awk -v on="$(echo "$volumes" | sed 's/,/, /g'), each in ${TURNS:-3} quarter turns" \
+      -v day="$(date -u +%Y-%m-%d)" -f "$here/put.awk" - "$page" >"$work/page"
   cp "$work/page" "$page"
 done
 rm -rf "$work/tree" "$work/built"
