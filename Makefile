@@ -3,9 +3,9 @@
 # io/volume), CASE (a pattern of its test cases); for `make fuzz`: FUZZ_SECONDS (of each target), FUZZ (the
 # targets, e.g. "nrrd ply"); for `make tidy`: SINCE (a commit: only files that changed since);
 # for `make sanitize`: PROGRAMS (only these, e.g. "tests_refine stress_parts");
-# for `make mutants`: ROOM (a folder of tests/, or some);
+# for `make mutants`: ROOM (a folder of tests/, or some); for `make switches`: ONLY (some of them);
 # for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets`,
-# `make tables`, `make quality` and `make figures`: DATA (folder of volumes); for `make quality`:
+# `make tables`, `make quality`, `make switches` and `make figures`: DATA (folder of volumes); for `make quality`:
 # AGAINST (another deliso program, or runs that were kept, .tsv), TURNS, QUALITY (further options); for
 # `make site`: SITE (folder), REPOSITORY (its address, which the page's links lead to).
 BUILD ?= build
@@ -115,6 +115,14 @@ quality:
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app quality
 	@$(BUILD)/bench/quality --program $(BUILD)/deliso $(if $(AGAINST),--against '$(AGAINST)') \
 	  --data '$(DATA)' --turns $(TURNS) --runs $(BUILD)/quality.tsv --markdown $(QUALITY)
+
+# The table of docs/decisions.md: what the meshes of five volumes are worth without each mechanism that
+# a record there defends, or with another constant; all, or those named in ONLY. Minutes for each.
+.PHONY: switches
+switches:
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=ON >/dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target quality
+	@CXX='$(CXX)' JOBS=$(JOBS) sh bench/switches/run.sh $(BUILD) docs/decisions.md '$(DATA)' $(ONLY)
 
 # Whether the tests of a primitive find a wrong one: each patch of bench/mutants in turn, in a copy of
 # the sources, against the tests of its room. Lists those that survive.

@@ -33,27 +33,29 @@ namespace {
 
 constexpr const char* kHelp =
     "usage: quality --program DELISO [--against DELISO|RUNS.tsv] [options]\n"
-    "       quality --table RUNS.tsv [AGAINST.tsv]\n\n"
+    "       quality --table RUNS.tsv [AGAINST.tsv]\n"
+    "       quality --switches BASE.tsv SWITCH.tsv...\n\n"
     "Meshes volumes in several quarter turns and measures the meshes by this build's check: "
     "medians\n"
     "and ranges, beside those of another program, or of runs that were kept.\n\n"
     "  --program FILE      the deliso program that makes the meshes\n"
     "  --against FILE      another one, which takes turns with it; or a file of runs (.tsv)\n"
+    "  --beside FILE       another one, of which only the time is asked, next to each run\n"
     "  --runs FILE         where all runs go, as text parted by tabs\n"
     "  --data FOLDER       where the volumes are (NAME.nhdr; default: $DELISO_DATA)\n"
     "  --only A,B          these volumes only, by name; any built-in NAME:SIZE\n"
     "  --turns N           as many runs of each, the volume turned otherwise for each (default 5)\n"
+    "  --limit SECONDS     of CPU time, after which a run is ended (default 1800)\n"
     "  --options 'A B ...' options of the program; again: further settings (default: none)\n"
     "  --paper             --options --paper\n"
     "  --markdown, --csv   instead of aligned text\n";
 
-// Longer than any run takes that is of use, in seconds of CPU time.
-constexpr unsigned kLimit = 1800;
-
 struct Arguments {
   std::vector<std::string> programs, kept, only, options;
-  std::string runs, data;
+  std::string runs, data, beside;
+  bool are_switches = false;
   std::uint64_t turns = 5;
+  unsigned limit = 1800;  // longer than any run takes that is of use
   TableFormat format = TableFormat::text;
 };
 
@@ -118,13 +120,19 @@ Arguments parse(int argc, char** argv) {
       a.programs.insert(a.programs.begin(), value);
     } else if (option == "--against") {
       (is_file_of_runs(value) ? a.kept : a.programs).push_back(value);
-    } else if (option == "--table") {
+    } else if (option == "--beside") {
+      a.beside = value;
+    } else if (option == "--table" || option == "--switches") {
+      a.are_switches = option == "--switches";
       a.kept.push_back(value);
       while (n + 1 < argc && is_file_of_runs(argv[n + 1])) a.kept.emplace_back(argv[++n]);
     } else if (option == "--runs") {
       a.runs = value;
     } else if (option == "--data") {
       a.data = value;
+    } else if (option == "--limit") {
+      a.limit = static_cast<unsigned>(std::strtoul(value.c_str(), nullptr, 10));
+      if (a.limit == 0) throw InputError("--limit " + value + ": not a number of seconds");
     } else if (option == "--only") {
       a.only = split(value, ',');
     } else if (option == "--options") {
@@ -138,7 +146,8 @@ Arguments parse(int argc, char** argv) {
       throw InputError(option + ": unknown option");
     }
   }
-  if (a.programs.size() + a.kept.size() > 2 || a.programs.size() + a.kept.size() == 0) {
+  const std::size_t builds = a.programs.size() + a.kept.size();
+  if (builds == 0 || (builds > 2 && !a.are_switches)) {
     throw InputError("one or two of --program, --against, --table are needed; see --help");
   }
   if (a.programs.size() == 2 && a.programs[0] == a.programs[1]) {
@@ -218,8 +227,8 @@ Turned write_turned(const Volume& volume, std::uint64_t turn, const TemporaryFol
   return out;
 }
 
-QualityRun run(const std::string& program, const Subject& subject, const Turned& turned,
-               const std::string& options, const TemporaryFolder& folder) {
+QualityRun run(const std::string& program, const Arguments& arguments, const Subject& subject,
+               const Turned& turned, const std::string& options, const TemporaryFolder& folder) {
   const Index3 n = turned.volume.dims();
   const Vec3 s = turned.volume.spacing();
   const std::string mesh = folder / "mesh.ply", json = folder / "report.json";
@@ -236,7 +245,7 @@ QualityRun run(const std::string& program, const Subject& subject, const Turned&
                                  mesh};
   const std::vector<std::string> given = split(options, ' ');
   words.insert(words.end(), given.begin(), given.end());
-  const Ended ended = run_program(words, kLimit);
+  const Ended ended = run_program(words, arguments.limit);
 
   QualityRun run{{}, subject.name, options, turned.turn, {}};
   if (ended.status < 2 && std::filesystem::exists(mesh)) {
@@ -254,6 +263,11 @@ QualityRun run(const std::string& program, const Subject& subject, const Turned&
     run.measured[Metric::failed] = 1;
   }
   run.measured[Metric::user_seconds] = ended.user_seconds;
+  if (!arguments.beside.empty()) {
+    words.front() = arguments.beside;
+    run.measured[Metric::time_ratio] =
+        ended.user_seconds / run_program(words, arguments.limit).user_seconds;
+  }
   return run;
 }
 
@@ -287,7 +301,7 @@ std::vector<QualityRun> run_all(const Arguments& arguments) {
         std::fprintf(stderr, "%s, turn %d %s\n", subject.name.c_str(), static_cast<int>(turn),
                      options.c_str());
         for (std::size_t p = 0; p < arguments.programs.size(); ++p) {
-          runs.push_back(run(arguments.programs[p], subject, turned, options, folder));
+          runs.push_back(run(arguments.programs[p], arguments, subject, turned, options, folder));
           runs.back().build = names[p];
           if (file.is_open()) file << line_of(runs.back()) << std::flush;
         }
@@ -313,7 +327,8 @@ int main(int argc, char** argv) {
       if (is_known) throw InputError(path + ": two files of runs with one name");
       runs.insert(runs.end(), more.begin(), more.end());
     }
-    for (const Table& table : quality_tables(runs)) {
+    for (const Table& table :
+         arguments.are_switches ? std::vector{switch_table(runs)} : quality_tables(runs)) {
       std::cout << table.print(arguments.format) << '\n';
     }
   } catch (const InputError& error) {

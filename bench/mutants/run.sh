@@ -11,21 +11,17 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 source=$(cd "$here/../.." && pwd)
 
-# Prints the value of a key in the head of a mutant.
-head_of() { sed -n "/^--- /q; s/^$2: //p" "$here/$1.patch"; }
-all_mutants() { for file in "$here"/*.patch; do basename "$file" .patch; done; }
+. "$here/../patches.sh"
 mutants_of() { grep -lx "Tests: $1" "$here"/*.patch | sed 's|.*/||; s|\.patch$||'; }
-command -v patch >/dev/null || { echo 'no patch here'; exit 77; }
 
 if [ "$1" = --check ]; then
   wrong=0
-  for name in $(all_mutants); do
+  for name in $(all_patches); do
     ls "$source/tests/$(head_of "$name" Tests)"/test_*.cpp >/dev/null 2>&1 ||
       { echo "$name: no room of tests \"$(head_of "$name" Tests)\""; wrong=1; }
-    patch -p1 --fuzz=0 --dry-run --quiet -d "$source" <"$here/$name.patch" ||
-      { echo "$name: does not apply; bring it up to date in bench/mutants"; wrong=1; }
+    still_applies "$name" || wrong=1
   done
-  echo "$(all_mutants | wc -l | tr -d ' ') mutants"
+  echo "$(all_patches | wc -l | tr -d ' ') mutants"
   exit "$wrong"
 fi
 
@@ -43,7 +39,7 @@ if [ "$1" != --one ]; then
   export build work compile
   $compile "-I$source/src" -c "$source/tests/main.cpp" -o "$work/main.o"
   status=0
-  rooms=$(for name in $(all_mutants); do head_of "$name" Tests; done | sort -u)
+  rooms=$(for name in $(all_patches); do head_of "$name" Tests; done | sort -u)
   for room in ${*:-$rooms}; do
     mutants=$(mutants_of "$room")
     [ -n "$mutants" ] || { echo "$room: no mutants"; exit 2; }
@@ -70,7 +66,7 @@ name=$2 room=$3
 at=$work/$room/$name
 mkdir "$at"
 cp -r "$source/src" "$at/src"
-patch -p1 --fuzz=0 --quiet -d "$at" <"$here/$name.patch"
+apply "$name" "$at"
 files=$(sed -n 's|^+++ b/||p' "$here/$name.patch")
 for folder in $(for file in $files; do dirname "$file"; done | sort -u); do
   for file in "$at/$folder"/*.cpp; do echo "#include \"$file\""; done

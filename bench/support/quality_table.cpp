@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <span>
+#include <utility>
 
 #include "base/text.h"
 #include "support/statistics.h"
@@ -134,6 +137,7 @@ Table make_summary(const std::vector<std::string>& builds, const std::vector<Sub
       ++ratios;
     }
     const auto [alike, better, worse] = verdicts;
+    if (alike + better + worse == 0) continue;
     table.add({std::string(metric.heading), count_cell(static_cast<double>(better)),
                count_cell(static_cast<double>(worse)),
                count_cell(static_cast<double>(alike + better + worse)),
@@ -144,6 +148,122 @@ Table make_summary(const std::vector<std::string>& builds, const std::vector<Sub
       "With one turn that is any difference.");
   return table;
 }
+
+// A column of switch_table(): what is told of a run, and how the runs become one number. `ratio`:
+// the medians of the volumes over the base's, their geometric mean; `runs`: the sum of all runs.
+enum class Over : std::uint8_t { ratio, mean, most, sum, runs };
+struct SwitchMeasure {
+  const char* heading;
+  Over over;
+  int decimals;
+  Better better;
+  double (*of)(const Measured& run);
+};
+constexpr std::array<SwitchMeasure, 9> kSwitchMeasures{{
+    {"vertices", Over::ratio, 3, Better::less,
+     [](const Measured& m) { return m[Metric::vertices]; }},
+    {"time", Over::mean, 2, Better::less, [](const Measured& m) { return m[Metric::time_ratio]; }},
+    {"99.9 %", Over::mean, 3, Better::less,
+     [](const Measured& m) { return std::fmax(m[Metric::mesh_999], m[Metric::surface_999]); }},
+    {"largest", Over::most, 2, Better::less,
+     [](const Measured& m) { return std::fmax(m[Metric::mesh_max], m[Metric::surface_max]); }},
+    {"far", Over::sum, 0, Better::less, [](const Measured& m) { return m[Metric::points_far]; }},
+    {"over", Over::sum, 0, Better::less, [](const Measured& m) { return m[Metric::facets_over]; }},
+    {"r/l > 2", Over::sum, 0, Better::less, [](const Measured& m) { return m[Metric::needles]; }},
+    {"restricted %", Over::mean, 3, Better::more,
+     [](const Measured& m) { return m[Metric::restricted]; }},
+    {"faulty", Over::runs, 0, Better::less,
+     [](const Measured& m) {
+       const bool is_sound = m[Metric::failed] == 0 && m[Metric::exact] == 1 &&
+                             m[Metric::crossings] == 0 && m[Metric::other_faults] == 0;
+       return is_sound ? 0. : 1.;
+     }},
+}};
+constexpr std::size_t kPaysOn = 3;  // volumes
+
+// One build with some options, beside the base.
+class SwitchRow {
+ public:
+  SwitchRow(const std::vector<QualityRun>& runs, std::string base, std::string build,
+            std::string options)
+      : runs_(runs),
+        base_(std::move(base)),
+        build_(std::move(build)),
+        options_(std::move(options)) {
+    for (const QualityRun& run : runs) {
+      if (run.build == build_ && run.options == options_) add_once(volumes_, run.volume);
+    }
+  }
+
+  bool is_empty() const { return volumes_.empty(); }
+
+  std::vector<std::string> cells() const {
+    const std::string name = build_ == base_ ? "(none)" : build_.substr(0, build_.rfind('.'));
+    std::vector<std::string> row{options_.empty() ? name : name + " " + options_};
+    std::string pays;
+    for (const SwitchMeasure& measure : kSwitchMeasures) {
+      const std::size_t worse = volumes_with(Verdict::worse, measure);
+      const std::size_t better = volumes_with(Verdict::better, measure);
+      row.push_back(number_cell(total(measure), measure.decimals) +
+                    (better > 0 ? text(" +", better) : "") + (worse > 0 ? text(" !", worse) : ""));
+      if (worse >= kPaysOn) pays += text(pays.empty() ? "yes: " : ", ", measure.heading);
+    }
+    row.push_back(build_ == base_ ? "" : pays.empty() ? "no" : pays);
+    return row;
+  }
+
+ private:
+  std::vector<double> values(const SwitchMeasure& measure, const std::string& build,
+                             const std::string& volume) const {
+    std::vector<double> all;
+    for (const QualityRun& run : runs_) {
+      if (run.build != build || run.volume != volume || run.options != options_) continue;
+      const double value = measure.of(run.measured);
+      if (!std::isnan(value)) all.push_back(value);
+    }
+    return all;
+  }
+
+  std::size_t volumes_with(Verdict verdict, const SwitchMeasure& measure) const {
+    return static_cast<std::size_t>(
+        std::count_if(volumes_.begin(), volumes_.end(), [&](const std::string& volume) {
+          return compare(values(measure, build_, volume), values(measure, base_, volume),
+                         measure.better) == verdict;
+        }));
+  }
+
+  double total(const SwitchMeasure& measure) const {
+    double sum = 0, most = 0, logarithms = 0, all = 0, count = 0;
+    for (const std::string& volume : volumes_) {
+      const std::vector<double> runs = values(measure, build_, volume);
+      if (runs.empty()) continue;
+      const double median = statistic(runs).median;
+      sum += median;
+      most = std::max(most, median);
+      logarithms += std::log(median / statistic(values(measure, base_, volume)).median);
+      all += std::accumulate(runs.begin(), runs.end(), 0.);
+      ++count;
+    }
+    if (count == 0) return NAN;
+    switch (measure.over) {
+      case Over::ratio:
+        return std::exp(logarithms / count);
+      case Over::mean:
+        return sum / count;
+      case Over::most:
+        return most;
+      case Over::sum:
+        return sum;
+      case Over::runs:
+        break;
+    }
+    return all;
+  }
+
+  const std::vector<QualityRun>& runs_;
+  const std::string base_, build_, options_;
+  std::vector<std::string> volumes_;
+};
 
 }  // namespace
 
@@ -174,6 +294,24 @@ std::vector<Table> quality_tables(const std::vector<QualityRun>& runs) {
       make_table("Distances in voxels, and what must hold", kSecond, builds, subjects, runs)};
   if (builds.size() == 2) tables.push_back(make_summary(builds, subjects, runs));
   return tables;
+}
+
+Table switch_table(const std::vector<QualityRun>& runs) {
+  std::vector<std::string> builds, options, header{"switch"};
+  for (const QualityRun& run : runs) {
+    add_once(builds, run.build);
+    add_once(options, run.options);
+  }
+  for (const SwitchMeasure& measure : kSwitchMeasures) header.emplace_back(measure.heading);
+  header.emplace_back("pays");
+  Table table("Switches", header, 1);
+  for (const std::string& build : builds) {
+    for (const std::string& some : options) {
+      const SwitchRow row(runs, builds[0], build, some);
+      if (!row.is_empty()) table.add(row.cells());
+    }
+  }
+  return table;
 }
 
 }  // namespace deliso

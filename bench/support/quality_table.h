@@ -23,4 +23,10 @@ Verdict compare(const std::vector<double>& ours, const std::vector<double>& thei
 // beyond the second are left out.
 std::vector<Table> quality_tables(const std::vector<QualityRun>& runs);
 
+// What mechanisms are worth. The first build is the base; each other one lacks a mechanism, or has
+// another constant. A row for each: the sums or medians over the volumes, marked with the numbers
+// of volumes on which it is better (+) and worse (!) than the base. A mechanism pays by a measure
+// that is worse without it on three volumes at least.
+Table switch_table(const std::vector<QualityRun>& runs);
+
 }  // namespace deliso

@@ -69,6 +69,32 @@ TEST_CASE("tables have medians, ranges, marks and their sums") {
   CHECK(has(tables[2].print(TableFormat::csv), "angle,0,1,2,0.354\n"));
 }
 
+TEST_CASE("a switch pays where runs without it are worse on three volumes") {
+  std::vector<QualityRun> runs;
+  const auto add = [&](const std::string& build, const std::string& volume, double vertices,
+                       double far, bool is_sound) {
+    for (const std::uint64_t turn : {0, 1, 2}) {
+      QualityRun run{build, volume, "", turn, {}};
+      run.measured[Metric::vertices] = vertices + static_cast<double>(turn);
+      run.measured[Metric::points_far] = far;
+      run.measured[Metric::crossings] = run.measured[Metric::other_faults] = 0;
+      run.measured[Metric::failed] = 0;
+      run.measured[Metric::exact] = is_sound || turn == 0 ? 1 : 0;
+      runs.push_back(run);
+    }
+  };
+  for (const std::string volume : {"A", "B", "C"}) add("base.tsv", volume, 1000, 2, true);
+  for (const std::string volume : {"A", "B", "C"}) add("no-moves.tsv", volume, 2001, 2, true);
+  add("no-flips.tsv", "A", 2001, 1, true);
+  add("no-flips.tsv", "B", 2001, 3, false);
+  add("no-flips.tsv", "C", 1002, 2, true);  // 1,002 to 1,004 beside 1,000 to 1,002
+  const std::string table = switch_table(runs).print(TableFormat::csv);
+  CHECK(has(table, "(none),1.000,-,-,-,6,-,-,-,0,\n"));
+  CHECK(has(table, "no-moves,2.000 !3,-,-,-,6,-,-,-,0,yes: vertices\n"));
+  // On two volumes it is worse. Of three runs with faults two are in one volume.
+  CHECK(has(table, "no-flips,1.588 !2,-,-,-,6 +1 !1,-,-,-,2,no\n"));
+}
+
 TEST_CASE("runs are read back as they were written") {
   const TemporaryFolder folder;
   const std::string path = folder / "kept.tsv";
