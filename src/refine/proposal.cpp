@@ -22,7 +22,6 @@ Proposal Cavity::move(VertexId v, const Vec3& p, const Gates& gates) const {
 
 Proposal Cavity::merge(VertexId from, VertexId to, const Gates& gates) const {
   Proposal made(number_, gates);
-  made.facets.reserve(facets.size());
   for (Triangle t : disk.facets) {
     if (has_corner(t, to)) continue;
     std::ranges::replace(t, from, to);
@@ -31,11 +30,9 @@ Proposal Cavity::merge(VertexId from, VertexId to, const Gates& gates) const {
   return made;
 }
 
-Proposal Cavity::fill(std::span<const Triangle> list, const Gates& gates,
-                      std::span<const Dual> duals) const {
+Proposal Cavity::fill(std::span<const Triangle> list, const Gates& gates) const {
   Proposal made(number_, gates);
   made.facets.assign(list.begin(), list.end());
-  made.duals.assign(duals.begin(), duals.end());
   return made;
 }
 

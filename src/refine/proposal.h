@@ -65,7 +65,6 @@ class Proposal {
   Vec3 place;                          // of it
   std::optional<BoundarySplit> split;  // by the vertex that comes
   std::vector<Triangle> facets;        // the new disk; none if a vertex moves: the cavity's stay
-  std::vector<Dual> duals;             // of `facets`, if they were known, each with a surface point
 
  private:
   friend class Cavity;
@@ -92,9 +91,8 @@ class Cavity {
   Proposal move(VertexId v, const Vec3& p, const Gates& gates) const;
   // The facets without corner `to`, with `from` at `to`.
   Proposal merge(VertexId from, VertexId to, const Gates& gates) const;
-  // These facets. `duals`: of each, if all are known and have a surface point.
-  Proposal fill(std::span<const Triangle> list, const Gates& gates,
-                std::span<const Dual> duals = {}) const;
+  // These facets.
+  Proposal fill(std::span<const Triangle> list, const Gates& gates) const;
 
  private:
   friend class Refinement;

@@ -113,7 +113,7 @@ std::optional<Refusal> Refinement::make(Proposal proposal, const Accept& accept)
   Replacement& c = tried_;
   c.proposal = std::move(proposal);
   c.in_.facets = c.proposal.facets;
-  c.duals = c.proposal.duals;
+  c.duals.clear();
   if (leaves_free_box(c)) return Refusal::frozen;
   put_in_place(c);
   std::optional<Refusal> refusal = test_shape(c);
@@ -135,9 +135,8 @@ bool Refinement::leaves_free_box(const Replacement& c) const {
 }
 
 void Refinement::put_in_place(const Replacement& c) {
-  const Vec3& place = c.proposal.place;
-  if (c.has_new_vertex()) mesh.points.push_back(place);
-  if (c.moves()) moved_from_ = std::exchange(mesh.points[c.proposal.vertex], place);
+  if (c.has_new_vertex()) mesh.points.push_back(c.proposal.place);
+  if (c.moves()) moved_from_ = std::exchange(mesh.points[c.proposal.vertex], c.proposal.place);
 }
 
 void Refinement::undo(const Replacement& c) {
@@ -218,12 +217,6 @@ void Question::ask(FaceId f, Reason why) {
   value = why < Reason::count_ ? shape.r : violation(shape, r_.parameters.refinement);
   corners = r_.mesh.faces[f].v;
   dual = r_.s.duals[f];
-  r_.question = this;
-}
-
-void Question::ask(VertexId v, Reason why) {
-  reason = why;
-  corners[0] = v;
   r_.question = this;
 }
 

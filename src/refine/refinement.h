@@ -80,8 +80,8 @@ class Refinement {
   using Accept = std::function<bool(const Replacement&)>;
   static bool always(const Replacement&) { return true; }
   // Makes the proposal and returns nullopt, or returns the test that refuses it and changes
-  // nothing. accept() is called when the vertex is in its place: first with the duals that the
-  // proposal has, then after each new dual. pre: the proposal is one of the open cavity.
+  // nothing. accept() is called when the vertex is in its place: first without duals of the new
+  // facets, then after each new dual. pre: the proposal is one of the open cavity.
   std::optional<Refusal> make(Proposal proposal, const Accept& accept = always);
 
   // Counts the outcome of an operation, reports it to the observer with what was tried since the
@@ -172,14 +172,14 @@ class Refinement {
 };
 
 // Why the operations of a scope are tried, for the observer. Refinement::done() demands one, so no
-// outcome is reported with the reason of another. Without an observer it is empty.
+// outcome is reported with the reason of another. Without an observer nobody asks for it.
 class Question {
  public:
   Question(Refinement& r, FaceId f, Reason why) : r_(r) {
     if (r.observer) ask(f, why);
   }
-  Question(Refinement& r, VertexId v, Reason why) : r_(r) {
-    if (r.observer) ask(v, why);
+  Question(Refinement& r, VertexId v, Reason why) : reason(why), corners{v, kNoId, kNoId}, r_(r) {
+    if (r.observer) r.question = this;
   }
   Question(const Question&) = delete;
   Question& operator=(const Question&) = delete;
@@ -193,7 +193,6 @@ class Question {
 
  private:
   void ask(FaceId f, Reason why);
-  void ask(VertexId v, Reason why);
 
   Refinement& r_;
 };

@@ -62,22 +62,21 @@ std::optional<Refusal> Thinning::remove(VertexId v) {
   const Cavity* cavity = r_.open(star);
   if (!cavity) return Refusal::not_a_disk;
   std::vector<Triangle> facets;
-  std::vector<Dual> duals;
   for (int n = 0; n < hole_.size(); ++n) {
     const auto& [corner, across] = hole_.facet(n);
-    const Triangle facet{ring_.vertex[corner[0]], ring_.vertex[corner[1]], ring_.vertex[corner[2]]};
+    const Triangle& facet = facets.emplace_back(
+        Triangle{ring_.vertex[corner[0]], ring_.vertex[corner[1]], ring_.vertex[corner[2]]});
     for (std::size_t i = 0; i < 3; ++i) {
       if (across[i] >= 0 && joins_on_box(r_, facet[(i + 1) % 3], facet[(i + 2) % 3])) {
         return Refusal::boundary;
       }
     }
-    const Dual dual = r_.finder.dual(r_.point(facet[0]), r_.point(facet[1]), r_.point(facet[2]),
-                                     r_.report.searches_refine);
-    if (r_.violation(facet, dual) > 1 || !r_.is_delaunay(facet, dual, v)) return Refusal::no_gain;
-    facets.push_back(facet);
-    duals.push_back(dual);
   }
-  return r_.make(cavity->fill(facets, Gates{}, duals));
+  return r_.make(cavity->fill(facets, Gates{}), [&](const Replacement& c) {
+    if (c.duals.empty()) return true;
+    const Triangle& last = facets[c.duals.size() - 1];
+    return r_.violation(last, c.duals.back()) <= 1 && r_.is_delaunay(last, c.duals.back(), v);
+  });
 }
 
 }  // namespace deliso
