@@ -20,6 +20,7 @@
 #include "base/sorted_list.h"
 #include "base/text.h"
 #include "base/triangle.h"
+#include "coarsen/contour_as_mesh.h"
 #include "contour/contour.h"
 #include "embedding/all_crossings.h"
 #include "io/mesh/write_mesh.h"
@@ -144,7 +145,7 @@ inline TriMesh facets_alone(const TriMesh& mesh, std::span<const FaceId> facets)
 
 // Returns T as a mesh, whose points the frame places in the world.
 inline TriMesh contour_mesh(const ContourMesh& contour, const Frame& frame) {
-  TriMesh mesh = make_tri_mesh(contour.points, contour.triangles);
+  TriMesh mesh = contour_as_mesh(contour).mesh;
   mesh.frame = frame;
   return mesh;
 }

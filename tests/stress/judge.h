@@ -67,5 +67,10 @@ inline Verdict judge(const Volume& volume, const TriMesh& mesh, const Options& o
   verdict.triangles = mesh.faces.size();
   return verdict;
 }
+inline Verdict judge(const Volume& volume, const TriMesh& mesh, const Options& options,
+                     const Report& report) {
+  Faults faults;
+  return judge(volume, mesh, options, report, faults);
+}
 
 }  // namespace deliso::stress
