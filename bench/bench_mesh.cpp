@@ -56,7 +56,7 @@ class Insertion {
         recovered_(
             delaunay_mesh(surface, ContourMesh(contour), only_stage1(), parameters_, report_)),
         mesh_(recovered_.mesh.mesh),
-        refinement_(recovered_.mesh, surface, recovered_.curves, parameters_, report_),
+        refinement_(recovered_.mesh, {surface, recovered_.curves, parameters_, report_}),
         count_(count) {}
 
   void run() {

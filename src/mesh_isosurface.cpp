@@ -47,8 +47,8 @@ TriMesh finish(Block whole, const VolumeSource& source, const std::optional<Diss
   report.exact = joined(whole.components, source.shape.dims()).topology;
   count_unrefined(whole.mesh, parameters, report);
   if (parameters.has_target() && !options.stop_after_stage1) {
-    coarsen_to_target(whole.mesh, at->surface, {at->surface, whole.loops}, whole.samples,
-                      parameters, report);
+    coarsen_to_target(whole.mesh, whole.samples,
+                      {at->surface, {at->surface, whole.loops}, parameters, report});
   }
   report.vertices_refined = whole.mesh.mesh.points.size();
   report.triangles_refined = whole.mesh.mesh.faces.size();
@@ -56,7 +56,7 @@ TriMesh finish(Block whole, const VolumeSource& source, const std::optional<Diss
     begin_stage(parameters.observer, "cap");
     const std::array<bool, 8> inside =
         solid ? solid->corner_inside : corners_inside(at->volume, kappa);
-    close_on_box(whole.mesh, at->surface, {at->surface, whole.loops}, inside, parameters, report);
+    close_on_box(whole.mesh, inside, {at->surface, {at->surface, whole.loops}, parameters, report});
   }
   whole.mesh.mesh.frame = source.shape.frame();
   return std::move(whole.mesh.mesh);

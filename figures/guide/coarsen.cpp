@@ -124,7 +124,7 @@ void draw_coarsen(const std::string& folder) {
   draw(16, contour_as_mesh(h.contour).mesh, "T");
   SurfaceMesh& s = h.coarsened.mesh;
   draw(265, s.mesh, "coarsened");
-  refine(s, h.surface, h.coarsened.curves, h.coarsened.samples, h.parameters, h.report);
+  refine(s, h.coarsened.samples, h.given());
   draw(514, s.mesh, "refined");
 
   const std::vector<Vec2> ring{{0.95, 0.1}, {0.5, 0.85},  {-0.45, 0.9},

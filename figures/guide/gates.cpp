@@ -290,8 +290,7 @@ void draw_gates(const std::string& folder) {
   Handed h("builtin:noise:32", 127.5, {});
   Search search(h);
   h.parameters.observer = &search;
-  refine(h.coarsened.mesh, h.surface, h.coarsened.curves, h.coarsened.samples, h.parameters,
-         h.report);
+  refine(h.coarsened.mesh, h.coarsened.samples, h.given());
   Drawing out(760, 290);
   const auto panel = [](double x) {
     return Panel{{-kReach, -kReach}, 115 / kReach, {x, 40}, {230, 230}};

@@ -36,6 +36,8 @@ struct Handed {
         parameters(resolve(options, volume)),
         coarsened(delaunay_mesh(surface, ContourMesh(contour), stage1_only(), parameters, report)) {
   }
+
+  Given given() { return {surface, coarsened.curves, parameters, report}; }
 };
 
 }  // namespace deliso::guide

@@ -107,7 +107,7 @@ void draw_insert(const std::string& folder) {
   mark_p();
   out.frame(plan.panel, "E: whose balls hold p");
 
-  Refinement r(s, h.surface, h.coarsened.curves, h.parameters, h.report);
+  Refinement r(s, h.given());
   DELISO_CHECK(!insert_point(r, Operation::surface_point, start, p));
   plan.panel = panel(514);
   out.clip_to(plan.panel);
@@ -220,8 +220,7 @@ void draw_boundary(const std::string& folder) {
   draw_chain(handed, h.coarsened.mesh, true);
   out.frame(handed, "coarsened, each with its ball");
   background(refined);
-  refine(h.coarsened.mesh, h.surface, h.coarsened.curves, h.coarsened.samples, h.parameters,
-         h.report);
+  refine(h.coarsened.mesh, h.coarsened.samples, h.given());
   draw_chain(refined, h.coarsened.mesh, false);
   out.frame(refined, "at the end");
   out.write(folder, "boundary");

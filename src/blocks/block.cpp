@@ -83,7 +83,7 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
   Options options = run.options;
   options.stop_after_stage1 |= run.parameters.has_target();
   block.mesh =
-      delaunay_mesh(at.surface, contour, curves, block.samples, options, run.parameters, report);
+      delaunay_mesh(contour, block.samples, options, {at.surface, curves, run.parameters, report});
   if (run.parameters.has_target()) return block;
   block.samples = std::vector<Vec3>();
   if (!has_seams) return block;
@@ -98,14 +98,15 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
 void coarsen_block(const BlockRun& run, Block& block) {
   if (block.mesh.mesh.faces.empty()) return;
   const BoxSurface at(run.source.read(block.box), run.kappa);
-  coarsen(block.mesh, at.surface, {at.surface, block.loops}, run.parameters, block.report);
+  const BoundaryCurves curves(at.surface, block.loops);
+  coarsen(block.mesh, {at.surface, curves, run.parameters, block.report});
 }
 
 void refine_block(const BlockRun& run, Block& block) {
   if (block.mesh.mesh.faces.empty()) return;
   const BoxSurface at(run.source.read(block.box), run.kappa);
-  refine(block.mesh, at.surface, {at.surface, block.loops}, block.samples, run.parameters,
-         block.report);
+  const BoundaryCurves curves(at.surface, block.loops);
+  refine(block.mesh, block.samples, {at.surface, curves, run.parameters, block.report});
 }
 
 bool is_on_seam(const Block& block, VertexId v) {

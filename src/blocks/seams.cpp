@@ -239,12 +239,12 @@ class SeamWork {
     }
     const BoxSurface at(run_.source.read(samples_around(run_, patch.free_box)), run_.kappa);
     const BoundaryCurves curves(at.surface, whole_.loops);
-    const std::vector<std::uint8_t> changed =
-        coarsen(patch.mesh, at.surface, curves, run_.parameters, coarsening_bound(run_.parameters),
-                {patch.free_box, patch.first}, patch.report);
+    const Given given{at.surface, curves, run_.parameters, patch.report};
+    const std::vector<std::uint8_t> changed = coarsen(
+        patch.mesh, given, coarsening_bound(run_.parameters), {patch.free_box, patch.first});
     for (std::size_t f = 0; f < changed.size(); ++f) patch.is_done[f] &= changed[f] == 0;
-    patch.is_done = refine_part(patch.mesh, at.surface, curves, patch.samples, run_.parameters,
-                                patch.report, {patch.free_box, std::move(patch.is_done), true});
+    patch.is_done = refine_part(patch.mesh, patch.samples, given,
+                                {patch.free_box, std::move(patch.is_done), true});
   }
 
   void take(MeshPatch patch) {

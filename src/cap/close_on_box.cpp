@@ -19,18 +19,18 @@ std::array<bool, 8> corners_inside(const Volume& volume, double kappa) {
   return inside;
 }
 
-void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-                  const std::array<bool, 8>& inside, const Parameters& parameters, Report& report) {
+void close_on_box(SurfaceMesh& s, const std::array<bool, 8>& inside, const Given& given) {
+  Report& report = given.report;
   const StepTimer timer(report.seconds_cap);
   TriMesh& mesh = s.mesh;
   CapReport& result = report.cap;
-  report[Counter::cap_not_lifted] += lift_off(s, surface, curves, parameters, report);
+  report[Counter::cap_not_lifted] += lift_off(s, given);
   result.surface_vertices = mesh.points.size();
   result.surface_triangles = mesh.faces.size();
-  BoxCaps caps(mesh, surface.volume().box(), inside);
+  BoxCaps caps(mesh, given.surface.volume().box(), inside);
   result.failure = caps.failure();
   if (!result.failure.empty()) return;
-  caps.refine(parameters.refinement[Criterion::r_over_l]);
+  caps.refine(given.parameters.refinement[Criterion::r_over_l]);
   report[Counter::cap_refused] += caps.refused();
   const std::vector<Triangle> triangles = caps.triangles();
   mesh.points.insert(mesh.points.end(), caps.new_points().begin(), caps.new_points().end());

@@ -7,10 +7,7 @@
 
 #include <array>
 
-#include "isosurface/isosurface.h"
-#include "surface/boundary.h"
-#include "surface/parameters.h"
-#include "surface/report.h"
+#include "surface/given.h"
 #include "surface/surface_mesh.h"
 
 namespace deliso {
@@ -25,7 +22,6 @@ std::array<bool, 8> corners_inside(const Volume& volume, double kappa);
 // reason. Crossing triangles are not searched for: find_place_faults() does that, on the points
 // as written. For faces without boundary edges, `inside` gives the corners of the box. pre: the
 // mesh is linked.
-void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-                  const std::array<bool, 8>& inside, const Parameters& parameters, Report& report);
+void close_on_box(SurfaceMesh& s, const std::array<bool, 8>& inside, const Given& given);
 
 }  // namespace deliso

@@ -59,35 +59,31 @@ std::vector<std::uint8_t> small_ones(const MeshComponents& components) {
 }
 
 // Coarsens until the mesh has no faults. Returns per facet whether it changed.
-std::vector<std::uint8_t> attempts(SurfaceMesh& s, const Isosurface& surface,
-                                   const BoundaryCurves& curves, const Parameters& parameters,
-                                   double distance, const CoarsenScope& scope, Report& report) {
-  const Volume& volume = surface.volume();
+std::vector<std::uint8_t> attempts(SurfaceMesh& s, const Given& given, double distance,
+                                   const CoarsenScope& scope) {
+  const Volume& volume = given.surface.volume();
   const TriMesh before = s.mesh;
   const BoundaryChain chain = s.chain;
   const MeshComponents components(before, chain, scope.free_box.first_free, volume.box());
-  std::vector<std::uint8_t> kept = small_ones(components), changed;
-  for (int attempt = 1;; ++attempt) {
-    changed.assign(s.mesh.faces.size(), 0);
-    if (attempt == kMostAttempts) return changed;
-    Coarsener(s, surface, curves, parameters, distance, scope, kept, changed,
-              report.searches_coarsen)
-        .run();
+  std::vector<std::uint8_t> kept = small_ones(components);
+  for (int attempt = 1; attempt < kMostAttempts; ++attempt) {
+    std::vector<std::uint8_t> changed = Coarsener(s, given, distance, scope, kept).run();
     const EmbeddingFaults faults =
         embedding_faults(s, components, changed, scope.free_box, volume.box());
     if (faults.none()) return changed;
-    ++report[Counter::coarsened_again];
+    ++given.report[Counter::coarsened_again];
     keep_near(faults, s.mesh, components, before, volume, kept);
     s.mesh = before;
     s.chain = chain;
   }
+  return std::vector<std::uint8_t>(s.mesh.faces.size(), 0);
 }
 
 // Sets the duals of live facets; `changed`: of these, or all if it is empty.
-void set_duals(SurfaceMesh& s, const Isosurface& surface, std::span<const std::uint8_t> changed,
-               Report& report) {
+void set_duals(SurfaceMesh& s, std::span<const std::uint8_t> changed, const Given& given) {
+  Report& report = given.report;
   s.duals.resize(s.mesh.faces.size());
-  SurfacePointFinder finder(surface);
+  SurfacePointFinder finder(given.surface);
   for (FaceId f = 0; f < s.mesh.faces.size(); ++f) {
     if (is_dead(s.mesh.faces[f]) || (!changed.empty() && changed[f.number()] == 0)) continue;
     const auto& [a, b, c] = s.mesh.faces[f].v;
@@ -104,26 +100,23 @@ double coarsening_bound(const Parameters& p) {
                                                 : kUsualBoundVoxels * p.voxel;
 }
 
-std::vector<std::uint8_t> coarsen(SurfaceMesh& s, const Isosurface& surface,
-                                  const BoundaryCurves& curves, const Parameters& parameters,
-                                  double distance, const CoarsenScope& scope, Report& report) {
-  std::vector<std::uint8_t> changed =
-      attempts(s, surface, curves, parameters, distance, scope, report);
-  set_duals(s, surface, changed, report);
+std::vector<std::uint8_t> coarsen(SurfaceMesh& s, const Given& given, double distance,
+                                  const CoarsenScope& scope) {
+  std::vector<std::uint8_t> changed = attempts(s, given, distance, scope);
+  set_duals(s, changed, given);
   return changed;
 }
 
-void coarsen(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-             const Parameters& parameters, Report& report) {
-  const StepTimer timer(report.seconds_coarsen);
-  begin_stage(parameters.observer, "coarsen");
-  CoarsenScope scope{FreeBox::within(surface.volume()), {}};
+void coarsen(SurfaceMesh& s, const Given& given) {
+  const StepTimer timer(given.report.seconds_coarsen);
+  begin_stage(given.parameters.observer, "coarsen");
+  CoarsenScope scope{FreeBox::within(given.surface.volume()), {}};
   for (VertexId v = 0; v < s.mesh.points.size(); ++v) scope.first.push_back(v);
   s.duals.clear();
-  attempts(s, surface, curves, parameters, coarsening_bound(parameters), scope, report);
+  attempts(s, given, coarsening_bound(given.parameters), scope);
   remove_dead(s);
-  set_duals(s, surface, {}, report);
-  report.vertices_coarsened = s.mesh.points.size();
+  set_duals(s, {}, given);
+  given.report.vertices_coarsened = s.mesh.points.size();
 }
 
 }  // namespace deliso

@@ -9,11 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "isosurface/isosurface.h"
-#include "surface/boundary.h"
 #include "surface/free_box.h"
-#include "surface/parameters.h"
-#include "surface/report.h"
+#include "surface/given.h"
 #include "surface/surface_mesh.h"
 
 namespace deliso {
@@ -29,12 +26,10 @@ double coarsening_bound(const Parameters& parameters);
 // Coarsens the mesh in place. `distance`: the bound. Facets that change get their duals; if the
 // mesh has no duals, all get theirs. Dead facets and vertices without facets stay. Returns per
 // facet whether it changed.
-std::vector<std::uint8_t> coarsen(SurfaceMesh& s, const Isosurface& surface,
-                                  const BoundaryCurves& curves, const Parameters& parameters,
-                                  double distance, const CoarsenScope& scope, Report& report);
+std::vector<std::uint8_t> coarsen(SurfaceMesh& s, const Given& given, double distance,
+                                  const CoarsenScope& scope);
 
 // The same for all of a mesh, by coarsening_bound(), and without what is dead.
-void coarsen(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-             const Parameters& parameters, Report& report);
+void coarsen(SurfaceMesh& s, const Given& given);
 
 }  // namespace deliso

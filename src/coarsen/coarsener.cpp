@@ -25,20 +25,18 @@ constexpr double kSharpCosine = 0.7;
 
 }  // namespace
 
-Coarsener::Coarsener(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-                     const Parameters& parameters, double distance, const CoarsenScope& scope,
-                     std::span<const std::uint8_t> kept, std::vector<std::uint8_t>& changed,
-                     SearchCounters& searches)
+Coarsener::Coarsener(SurfaceMesh& s, const Given& given, double distance, const CoarsenScope& scope,
+                     std::span<const std::uint8_t> kept)
     : mesh_(s.mesh),
       chain_(s.chain),
-      curves_(curves),
-      box_(surface.volume().box()),
-      test_(surface.volume(), surface.kappa(), parameters, distance),
+      curves_(given.curves),
+      box_(given.surface.volume().box()),
+      test_(given.surface.volume(), given.surface.kappa(), given.parameters, distance),
       scope_(scope),
       kept_(kept),
-      changed_(changed),
-      finder_(surface),
-      searches_(searches),
+      changed_(mesh_.faces.size(), 0),
+      finder_(given.surface),
+      searches_(given.report.searches_coarsen),
       facet_(mesh_.points.size(), kNoId),
       is_active_(mesh_.points.size(), 0),
       waits_(mesh_.points.size(), 0),
@@ -53,13 +51,14 @@ Coarsener::Coarsener(SurfaceMesh& s, const Isosurface& surface, const BoundaryCu
   }
 }
 
-void Coarsener::run() {
+std::vector<std::uint8_t> Coarsener::run() {
   remove_vertices();
   for (int round = 0; round < kRounds; ++round) {
     move_vertices();
     flip_edges();
     remove_vertices();
   }
+  return std::move(changed_);
 }
 
 // Passes over the vertices that wait. A vertex whose star changed in a pass is tried in the next

@@ -20,13 +20,10 @@
 #include <vector>
 
 #include "coarsen/coarsen.h"
-#include "isosurface/isosurface.h"
 #include "mesh/tri_mesh.h"
-#include "surface/boundary.h"
 #include "surface/facet_test.h"
+#include "surface/given.h"
 #include "surface/hole.h"
-#include "surface/parameters.h"
-#include "surface/report.h"
 #include "surface/ring.h"
 #include "surface/surface_point.h"
 
@@ -35,14 +32,11 @@ namespace deliso {
 class Coarsener {
  public:
   // Keeps references. `distance`: the bound. `kept`: per vertex, nonzero if it stays where it is.
-  // Sets `changed`, per facet, to 1 for those that are new or have a moved corner.
-  Coarsener(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-            const Parameters& parameters, double distance, const CoarsenScope& scope,
-            std::span<const std::uint8_t> kept, std::vector<std::uint8_t>& changed,
-            SearchCounters& searches);
+  Coarsener(SurfaceMesh& s, const Given& given, double distance, const CoarsenScope& scope,
+            std::span<const std::uint8_t> kept);
 
-  // Removes, moves and flips. Dead facets stay.
-  void run();
+  // Removes, moves and flips. Dead facets stay. Returns per facet 1 if it is new or a corner moved.
+  std::vector<std::uint8_t> run();
 
  private:
   void remove_vertices();
@@ -73,7 +67,7 @@ class Coarsener {
   const FacetTest test_;
   const CoarsenScope& scope_;
   std::span<const std::uint8_t> kept_;
-  std::vector<std::uint8_t>& changed_;
+  std::vector<std::uint8_t> changed_;
   SurfacePointFinder finder_;
   SearchCounters& searches_;
   IdArray<VertexId, FaceId> facet_;            // one at the vertex; kNoId: none

@@ -25,18 +25,17 @@ void make_fine(ContourMesh& contour, const Isosurface& surface, const Parameters
   report[Counter::voxels_crossed] = contour.crossed_voxels;
 }
 
-SurfaceMesh delaunay_mesh(const Isosurface& surface, ContourMesh& contour,
-                          const BoundaryCurves& curves, std::span<const Vec3> samples,
-                          const Options& options, const Parameters& parameters, Report& report) {
-  Observer* const observer = follower(parameters.observer);
-  if (observer) observer->run_begins(parameters, report);
+SurfaceMesh delaunay_mesh(ContourMesh& contour, std::span<const Vec3> samples,
+                          const Options& options, const Given& given) {
+  Observer* const observer = follower(given.parameters.observer);
+  if (observer) observer->run_begins(given.parameters, given.report);
   SurfaceMesh mesh = contour_as_mesh(contour);
   contour.triangles = std::vector<Triangle>();
   if (observer) observer->contour_ready(mesh);
-  coarsen(mesh, surface, curves, parameters, report);
+  coarsen(mesh, given);
   if (observer) observer->mesh_handed_over(mesh);
   if (!options.stop_after_stage1) {
-    refine(mesh, surface, curves, samples, parameters, report);
+    refine(mesh, samples, given);
   }
   if (observer) observer->mesh_finished();
   return mesh;
@@ -49,7 +48,7 @@ DelaunayMesh delaunay_mesh(const Isosurface& surface, ContourMesh contour, const
   const BoundaryCurves curves(surface,
                               std::make_shared<const BoundaryLoops>(boundary_loops(contour)));
   SurfaceMesh mesh =
-      delaunay_mesh(surface, contour, curves, contour.points, options, parameters, report);
+      delaunay_mesh(contour, contour.points, options, {surface, curves, parameters, report});
   return {std::move(mesh), curves, std::move(contour.points)};
 }
 

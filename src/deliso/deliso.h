@@ -9,8 +9,7 @@
 
 #include "deliso/options.h"
 #include "mesh/tri_mesh.h"
-#include "surface/boundary.h"
-#include "surface/report.h"
+#include "surface/given.h"
 #include "surface/surface_mesh.h"
 #include "volume/volume.h"
 
@@ -44,10 +43,9 @@ void make_fine(ContourMesh& contour, const Isosurface& surface, const Parameters
                Report& report);
 
 // Runs both stages on one block, in this thread. `contour`: its T of make_fine(), with at least one
-// vertex; its triangles are released. `curves`: T's boundary. `samples`: the reference samples of
-// Refine, vertices of T.
-SurfaceMesh delaunay_mesh(const Isosurface& surface, ContourMesh& contour,
-                          const BoundaryCurves& curves, std::span<const Vec3> samples,
-                          const Options& options, const Parameters& parameters, Report& report);
+// vertex; its triangles are released. given.curves: T's boundary. `samples`: the reference samples
+// of Refine, vertices of T.
+SurfaceMesh delaunay_mesh(ContourMesh& contour, std::span<const Vec3> samples,
+                          const Options& options, const Given& given);
 
 }  // namespace deliso

@@ -280,17 +280,16 @@ std::size_t coarsen(Refinement& r, std::size_t vertices, std::size_t triangles) 
   return Coarsening(r).run(vertices, triangles);
 }
 
-void coarsen_to_target(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-                       std::span<const Vec3> samples, const Parameters& given, Report& report) {
-  const StepTimer timer(report.seconds_refine);
-  begin_stage(given.observer, "thin");
-  Parameters parameters = given;
+void coarsen_to_target(SurfaceMesh& mesh, std::span<const Vec3> samples, const Given& given) {
+  const StepTimer timer(given.report.seconds_refine);
+  begin_stage(given.parameters.observer, "thin");
+  Parameters parameters = given.parameters;
   parameters.refinement[Criterion::distance] = kNotAsked;
-  Refinement r(mesh, surface, curves, parameters, report);
-  coarsen(r, given.target_vertices, given.target_triangles);
+  Refinement r(mesh, {given.surface, given.curves, parameters, given.report});
+  coarsen(r, parameters.target_vertices, parameters.target_triangles);
   separate(r, IdArray<VertexId, std::uint8_t>(mesh.mesh.points.size(), 1));
-  count_unrefined(mesh, parameters, report);
-  report.max_distance = furthest_distance(mesh.mesh, r.facets(), samples, parameters.voxel);
+  count_unrefined(mesh, parameters, given.report);
+  given.report.max_distance = furthest_distance(mesh.mesh, r.facets(), samples, parameters.voxel);
   remove_dead(mesh);
 }
 

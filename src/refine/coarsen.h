@@ -30,7 +30,6 @@ std::size_t coarsen(Refinement& r, std::size_t vertices,
 
 // Coarsens the mesh to the numbers that the parameters have as targets. Sets report.max_distance to
 // the distance of the sample that is furthest from the mesh then.
-void coarsen_to_target(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-                       std::span<const Vec3> samples, const Parameters& parameters, Report& report);
+void coarsen_to_target(SurfaceMesh& mesh, std::span<const Vec3> samples, const Given& given);
 
 }  // namespace deliso

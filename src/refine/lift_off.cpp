@@ -25,7 +25,8 @@ constexpr double kOffsetFactor = 0x1p-4;
 constexpr double kMinOffset = 0x1p-46;
 
 // Returns the distances to try, from the first down to the least.
-std::vector<double> distances_off(const Volume& volume, double first) {
+std::vector<double> distances_off(const Volume& volume, const Parameters& parameters) {
+  const double first = std::max(parameters.gap, kPerturbationVoxels * parameters.voxel);
   std::vector<double> off;
   double largest = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -55,16 +56,12 @@ enum class Effort : std::uint8_t { as_stage2, on_surface, next_to_it };
 
 class LiftOff {
  public:
-  LiftOff(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-          double first_distance, const Parameters& parameters, Report& report)
+  LiftOff(SurfaceMesh& s, const Given& given)
       : s_(s),
         mesh_(s.mesh),
-        box_(surface.volume().box()),
-        off_(distances_off(surface.volume(), first_distance)),
-        surface_(surface),
-        curves_(curves),
-        parameters_(parameters),
-        report_(report) {}
+        box_(given.surface.volume().box()),
+        off_(distances_off(given.surface.volume(), given.parameters)),
+        given_(given) {}
 
   std::size_t run();
 
@@ -101,7 +98,7 @@ class LiftOff {
 
   // Made at first use: most meshes have nothing to mend.
   Refinement& replacer() {
-    if (!replacer_) replacer_.emplace(s_, surface_, curves_, parameters_, report_);
+    if (!replacer_) replacer_.emplace(s_, given_);
     return *replacer_;
   }
 
@@ -109,10 +106,7 @@ class LiftOff {
   const TriMesh& mesh_;
   const Box3 box_;
   const std::vector<double> off_;  // descending
-  const Isosurface& surface_;
-  const BoundaryCurves& curves_;
-  const Parameters& parameters_;
-  Report& report_;
+  const Given given_;
   std::optional<Refinement> replacer_;
 };
 
@@ -154,7 +148,7 @@ std::size_t LiftOff::lift_all(Effort effort) {
     for (int i = 0; i <= 3; ++i) {
       if (!lies_in_face(f, i)) continue;
       if (lift(f, i, effort)) {
-        ++report_[Counter::cap_edges_lifted];
+        ++given_.report[Counter::cap_edges_lifted];
         i = -1;  // the facet has changed
       } else {
         ++left;
@@ -179,8 +173,8 @@ std::vector<Vec3> LiftOff::find_off_box(std::span<const Line> lines, const Vec3&
   for (const Line& line : lines) {
     const double size = length(line.direction);
     if (!(size > 0)) continue;
-    const auto x =
-        replacer().finder.nearest(line.at, line.direction / size, limit, report_.searches_refine);
+    const auto x = replacer().finder.nearest(line.at, line.direction / size, limit,
+                                             given_.report.searches_refine);
     if (x && faces_near(*x) == 0) found.push_back(*x);
   }
   // Stable: points at one distance are common in symmetric fields.
@@ -215,7 +209,7 @@ bool LiftOff::lift(FaceId f, int i, Effort effort) {
     for (const double off : off_) {
       for (const Vec3& base : bases) {
         if (replacer().make(cavity->cone(base + off * inward, kFlatConeGates))) continue;
-        ++report_[Counter::cap_lifts_off_surface];
+        ++given_.report[Counter::cap_lifts_off_surface];
         return true;
       }
     }
@@ -226,7 +220,7 @@ bool LiftOff::lift(FaceId f, int i, Effort effort) {
     lines.push_back({base, out});
     lines.push_back({base, dot(out, inward) < 0 ? -inward : inward});
     for (const Vec3& from : {base, base + kStartDepth * limit * inward}) {
-      lines.push_back({from, -surface_.gradient(from)});
+      lines.push_back({from, -given_.surface.gradient(from)});
     }
   }
   const bool as_stage2 = effort == Effort::as_stage2;
@@ -241,11 +235,10 @@ bool LiftOff::lift(FaceId f, int i, Effort effort) {
 
 }  // namespace
 
-std::size_t lift_off(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-                     const Parameters& parameters, Report& report) {
-  const double perturbation = kPerturbationVoxels * parameters.voxel;
-  return LiftOff(s, surface, curves, std::max(parameters.gap, perturbation), parameters, report)
-      .run();
+std::size_t lift_off(SurfaceMesh& s, const Given& given) {
+  Parameters parameters = given.parameters;
+  parameters.observer = nullptr;  // caps are not followed
+  return LiftOff(s, {given.surface, given.curves, parameters, given.report}).run();
 }
 
 }  // namespace deliso

@@ -11,17 +11,13 @@
 
 #include <cstddef>
 
-#include "isosurface/isosurface.h"
-#include "surface/boundary.h"
-#include "surface/parameters.h"
-#include "surface/report.h"
+#include "surface/given.h"
 #include "surface/surface_mesh.h"
 
 namespace deliso {
 
 // Makes B1 to B3 hold. Returns at how many places every attempt was refused: those stay as they
 // are. New vertices lie on Sigma if possible.
-std::size_t lift_off(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-                     const Parameters& parameters, Report& report);
+std::size_t lift_off(SurfaceMesh& s, const Given& given);
 
 }  // namespace deliso

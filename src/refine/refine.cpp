@@ -353,14 +353,12 @@ void RefineGeom::require_room() const {
 
 }  // namespace
 
-std::vector<std::uint8_t> refine_part(SurfaceMesh& mesh, const Isosurface& surface,
-                                      const BoundaryCurves& curves, std::span<const Vec3> samples,
-                                      const Parameters& parameters, Report& report,
-                                      RefineScope scope) {
-  const StepTimer timer(report.seconds_refine);
+std::vector<std::uint8_t> refine_part(SurfaceMesh& mesh, std::span<const Vec3> samples,
+                                      const Given& given, RefineScope scope) {
+  const StepTimer timer(given.report.seconds_refine);
   std::vector<std::uint32_t> far(samples.size());
   std::iota(far.begin(), far.end(), 0);
-  Refinement refinement(mesh, surface, curves, parameters, report, scope.free_box);
+  Refinement refinement(mesh, given, scope.free_box);
   return RefineGeom(refinement, samples, far).run(std::move(scope.is_done), scope.thins);
 }
 
@@ -377,14 +375,13 @@ void count_unrefined(const SurfaceMesh& s, const Parameters& parameters, Report&
   report.max_distance = parameters.refinement[Criterion::distance];
 }
 
-void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-            std::span<const Vec3> samples, const Parameters& parameters, Report& report) {
-  begin_stage(parameters.observer, "refine");
+void refine(SurfaceMesh& mesh, std::span<const Vec3> samples, const Given& given) {
+  begin_stage(given.parameters.observer, "refine");
   RefineScope scope;
-  scope.free_box = FreeBox::within(surface.volume());
+  scope.free_box = FreeBox::within(given.surface.volume());
   // Only a bound on the distance says which vertices a mesh needs.
-  scope.thins = parameters.refinement.asks(Criterion::distance);
-  refine_part(mesh, surface, curves, samples, parameters, report, std::move(scope));
+  scope.thins = given.parameters.refinement.asks(Criterion::distance);
+  refine_part(mesh, samples, given, std::move(scope));
   remove_dead(mesh);
 }
 

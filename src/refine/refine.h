@@ -16,16 +16,13 @@
 #include <vector>
 
 #include "refine/refinement.h"
-#include "surface/boundary.h"
-#include "surface/parameters.h"
-#include "surface/report.h"
+#include "surface/given.h"
 #include "surface/surface_mesh.h"
 
 namespace deliso {
 
 // Refines `mesh` in place. `samples`: the reference samples. Throws InputError at max_vertices.
-void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-            std::span<const Vec3> samples, const Parameters& parameters, Report& report);
+void refine(SurfaceMesh& mesh, std::span<const Vec3> samples, const Given& given);
 
 // The part of a mesh that is refined; by default all of it.
 struct RefineScope {
@@ -37,10 +34,8 @@ struct RefineScope {
 
 // Refines that part. Dead facets stay. Returns per facet whether it is done. A facet for which a
 // frozen one refused an operation is not.
-std::vector<std::uint8_t> refine_part(SurfaceMesh& mesh, const Isosurface& surface,
-                                      const BoundaryCurves& curves, std::span<const Vec3> samples,
-                                      const Parameters& parameters, Report& report,
-                                      RefineScope scope);
+std::vector<std::uint8_t> refine_part(SurfaceMesh& mesh, std::span<const Vec3> samples,
+                                      const Given& given, RefineScope scope);
 
 // Sets report.largest_h, the bound on the distance, and the count of facets over a limit.
 void count_unrefined(const SurfaceMesh& mesh, const Parameters& parameters, Report& report);

@@ -39,20 +39,18 @@ Box3 box_of(const TriMesh& mesh, const Isosurface& surface) {
 
 }  // namespace
 
-Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
-                       const BoundaryCurves& boundary_curves, const Parameters& given,
-                       Report& counts, const FreeBox& where)
+Refinement::Refinement(SurfaceMesh& surface_mesh, const Given& given, const FreeBox& where)
     : s(surface_mesh),
       mesh(surface_mesh.mesh),
-      surface(isosurface),
-      curves(boundary_curves),
-      parameters(given),
-      report(counts),
-      observer(follower(given.observer)),
+      surface(given.surface),
+      curves(given.curves),
+      parameters(given.parameters),
+      report(given.report),
+      observer(follower(parameters.observer)),
       free_box(where),
       inserted(surface_mesh.mesh.points.size()),
-      finder(isosurface),
-      facets_(box_of(surface_mesh.mesh, isosurface), grid_cell(given, surface_mesh.mesh)),
+      finder(surface),
+      facets_(box_of(mesh, surface), grid_cell(parameters, mesh)),
       vertices_(facets_) {
   facets_.expect(mesh.faces.size());
   vertices_.expect(mesh.points.size());

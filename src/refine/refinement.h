@@ -36,9 +36,8 @@
 #include "embedding/disk_crossing.h"
 #include "refine/proposal.h"
 #include "surface/free_box.h"
+#include "surface/given.h"
 #include "surface/observer.h"
-#include "surface/parameters.h"
-#include "surface/report.h"
 #include "surface/surface_mesh.h"
 #include "surface/surface_point.h"
 
@@ -46,9 +45,8 @@ namespace deliso {
 
 class Refinement {
  public:
-  // Copies `parameters` and `free_box`; keeps references to the rest.
-  Refinement(SurfaceMesh& surface_mesh, const Isosurface& surface, const BoundaryCurves& curves,
-             const Parameters& parameters, Report& report, const FreeBox& free_box = {});
+  // Copies the parameters and `free_box`; keeps references to the rest.
+  Refinement(SurfaceMesh& surface_mesh, const Given& given, const FreeBox& free_box = {});
 
   SurfaceMesh& s;
   TriMesh& mesh;

@@ -26,7 +26,7 @@ struct Coarse {
         curves((make_fine(scene.contour, scene.surface, parameters, report),
                 *loops = boundary_loops(scene.contour), BoundaryCurves(scene.surface, loops))),
         mesh(contour_as_mesh(scene.contour)) {
-    coarsen(mesh, scene.surface, curves, parameters, report);
+    coarsen(mesh, {scene.surface, curves, parameters, report});
   }
 
   Parameters parameters;
@@ -141,8 +141,8 @@ TEST_CASE("what is not in the scope stays, and a change is told") {
   scope.free_box.lo.x = middle;
   for (VertexId v = 0; v < some.mesh.points.size(); ++v) scope.first.push_back(v);
   const SurfaceMesh before = some;
-  const auto changed = coarsen(some, scene.surface, all.curves, all.parameters,
-                               coarsening_bound(all.parameters), scope, report);
+  const auto changed = coarsen(some, {scene.surface, all.curves, all.parameters, report},
+                               coarsening_bound(all.parameters), scope);
   std::size_t live = 0;
   for (FaceId f = 0; f < some.mesh.faces.size(); ++f) {
     const Face &now = some.mesh.faces[f], &was = before.mesh.faces[f];

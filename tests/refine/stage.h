@@ -166,7 +166,7 @@ class Stage {
             delaunay_mesh(of.surface, ContourMesh(of.contour), stage1_only(), parameters, report)),
         surface_mesh(recovered.mesh),
         mesh(refined ? refined_mesh() : recovered.mesh.mesh),
-        r(recovered.mesh, of.surface, recovered.curves, parameters, report),
+        r(recovered.mesh, {of.surface, recovered.curves, parameters, report}),
         kinds_(kinds_of(mesh)),
         turned_out_(turned_out(mesh)) {
     const ValueRange range = value_range(scene.volume);
@@ -310,7 +310,8 @@ class Stage {
 
  private:
   const TriMesh& refined_mesh() {
-    refine(recovered.mesh, scene.surface, recovered.curves, recovered.samples, parameters, report);
+    refine(recovered.mesh, recovered.samples,
+           {scene.surface, recovered.curves, parameters, report});
     return recovered.mesh.mesh;
   }
 

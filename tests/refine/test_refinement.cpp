@@ -31,7 +31,7 @@ struct Bare {
       const Vec3 side = scene.volume.box().size();
       p = {side.x * random.uniform(), side.y * random.uniform(), side.z * random.uniform()};
     }
-    r.emplace(surface_mesh, scene.surface, curves, parameters, report);
+    r.emplace(surface_mesh, Given{scene.surface, curves, parameters, report});
   }
   // Whether G1 lets the change pass. Nothing is done.
   bool keeps_manifold(const Change& change) {

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "isosurface/isosurface.h"
+#include "surface/boundary.h"
+#include "surface/parameters.h"
+#include "surface/report.h"
+
+namespace deliso {
+
+// What a stage is given beside the mesh that it changes. It keeps references.
+struct Given {
+  const Isosurface& surface;
+  const BoundaryCurves& curves;  // of the mesh's chain
+  const Parameters& parameters;
+  Report& report;  // counts and seconds are added to it
+};
+
+}  // namespace deliso
