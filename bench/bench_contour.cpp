@@ -72,7 +72,7 @@ ContourSummary run(const std::string& name, const Volume& volume, double isovalu
   std::uint64_t hash = 0xcbf29ce484222325u, tubes = 0;
   hash_bytes(hash, mesh.points);
   hash_bytes(hash, mesh.triangles);
-  hash_bytes(hash, mesh.boundary.vertices);
+  for (const auto& vertices : mesh.boundary.vertices) hash_bytes(hash, vertices);
   const ContourSummary& s = mesh.summary;
   for (const auto& component : s.components) tubes += component.tubes;
   std::printf("%-18s %6g %8llu %8zu %9zu %5zu %6lld %5llu %5llu %8.1f %8.1f  %016llx", name.c_str(),

@@ -23,6 +23,8 @@ int work(const BenchArguments& arguments) {
     const ContourMesh mesh =
         build_contour(volume, geometric_isovalue(volume.type(), opened.isovalue));
     const ContourSummary& contour = mesh.summary;
+    std::size_t boundary_vertices = 0;
+    for (const BoundaryLoop& loop : mesh.boundary.loops) boundary_vertices += loop.size();
     table.add({dataset.name, opened.data, fixed_cell(dataset.isovalue, 1), dims_text(dataset.dims),
                fixed_cell(opened.isovalue, 1), dims_text(volume.dims()),
                std::string(name_of(volume.type())),
@@ -30,7 +32,7 @@ int work(const BenchArguments& arguments) {
                count_cell(static_cast<double>(contour.components.size())),
                fixed_cell(static_cast<double>(contour.euler()), 0),
                count_cell(static_cast<double>(contour.boundary_loops())),
-               count_cell(static_cast<double>(mesh.boundary.vertices.size())),
+               count_cell(static_cast<double>(boundary_vertices)),
                count_cell(static_cast<double>(contour.active_voxels))});
     for (const std::string& remark : opened.remarks) table.remark(remark);
   }

@@ -15,7 +15,7 @@ namespace deliso::guide {
 
 FlatContour::FlatContour(const Slice& slice) : contour_(build_contour(slice.volume(), 0)) {
   for (std::size_t c = 0; c < contour_.boundary.size(); ++c) {
-    const auto chain = contour_.boundary.chain(c);
+    const auto& chain = contour_.boundary.vertices[c];
     if (contour_.points[chain[0]].z != 0) continue;
     loops_.emplace_back();
     for (const VertexId v : chain) {

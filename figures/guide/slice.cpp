@@ -30,12 +30,12 @@ Slice::Slice(int columns, int rows, const std::function<double(double, double)>&
   const ContourMesh contour = build_contour(volume_, 0, std::move(split));
   for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
     std::vector<Vec2> loop;
-    for (const VertexId v : contour.boundary.chain(c)) {
+    for (const VertexId v : contour.boundary.vertices[c]) {
       DELISO_CHECK((contour.box_faces[v] & 15u) == 0);
       loop.push_back({contour.points[v].x, contour.points[v].y});
     }
     // The same outline is on the upper layer.
-    if (contour.points[contour.boundary.chain(c)[0]].z == 0) loops_.push_back(std::move(loop));
+    if (contour.points[contour.boundary.vertices[c][0]].z == 0) loops_.push_back(std::move(loop));
   }
 }
 

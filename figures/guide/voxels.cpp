@@ -69,7 +69,7 @@ void draw_voxel(Drawing& out, const Vec2& corner, const Corners& values, const c
   };
   std::vector<std::array<VertexId, 3>> pieces = fine.triangles;
   for (std::size_t c = 0; c < fine.boundary.size(); ++c) {
-    const auto chain = fine.boundary.chain(c);
+    const auto& chain = fine.boundary.vertices[c];
     for (std::size_t n = 0; n < chain.size(); ++n) {
       pieces.push_back({chain[n], chain[n], chain[(n + 1) % chain.size()]});
       if (is_crossing(chain[n])) pieces.push_back({chain[n], chain[n], chain[n]});

@@ -69,10 +69,10 @@ void pass(Archive& a, BlockComponents& of_block) {
 
 template <class Archive>
 void pass(Archive& a, BoundaryLoop& loop) {
-  pass_points(a, loop.points);
-  pass_numbers(a, loop.kept);
-  pass_numbers(a, loop.faces);
-  pass_numbers(a, loop.fixed);
+  a.list(loop, [&](LoopPoint& p) {
+    pass(a, p.point);
+    a(p.face, p.is_kept, p.is_fixed);
+  });
 }
 
 template <class Archive>
@@ -157,18 +157,13 @@ void require_sound_components(const Block& block, Index3 voxels, std::string_vie
 
 void require_sound_curves(const BoundaryLoops& loops, const std::vector<Place>& places,
                           std::size_t vertices, const Box3& box, std::string_view name) {
-  const auto is_inside = [&](const Vec3& p) { return is_place(p, box); };
+  const auto is_sound = [&](const LoopPoint& p) { return p.face < 6 && is_place(p.point, box); };
   for (const BoundaryLoop& loop : loops) {
-    const std::size_t n = loop.points.size();
-    const bool sound = n > 0 && loop.kept.size() == n && loop.faces.size() == n &&
-                       loop.fixed.size() == n && are_flags(loop.kept) && are_flags(loop.fixed) &&
-                       std::ranges::all_of(loop.faces, [](BoxFace face) { return face < 6; }) &&
-                       std::ranges::all_of(loop.points, is_inside);
-    require(sound, name, "its curves");
+    require(!loop.empty() && std::ranges::all_of(loop, is_sound), name, "its curves");
   }
   for (const auto& [vertex, at] : places) {
     const bool sound = vertex < vertices && at.loop < loops.size() && at.s >= 0 &&
-                       at.s < static_cast<double>(loops[at.loop].points.size());
+                       at.s < static_cast<double>(loops[at.loop].size());
     require(sound, name, "its places on curves");
   }
 }

@@ -7,7 +7,6 @@
 
 #include "base/stopwatch.h"
 #include "coarsen/coarsen.h"
-#include "coarsen/contour_as_mesh.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "refine/refine.h"
@@ -73,8 +72,7 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
   if (contour.points.empty()) return block;
 
   const bool has_seams = at.volume.inner_faces() != 0;
-  block.loops =
-      std::make_shared<const BoundaryLoops>(boundary_loops(contour, at.volume.inner_faces()));
+  block.loops = std::make_shared<const BoundaryLoops>(std::move(contour.boundary.loops));
   const BoundaryCurves curves(at.surface, block.loops);
   const Box3 within = box_within_seams(at.volume);
   for (const Vec3& p : contour.points) {

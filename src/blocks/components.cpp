@@ -39,16 +39,12 @@ BlockComponents components_of(const ContourMesh& contour, const Volume& block) {
     c.lo = c.lo + begin;
     c.hi = c.hi + begin;
   }
-  const BoundaryChains& chains = contour.boundary;
-  for (std::uint32_t c = 0; c < chains.size(); ++c) {
-    const std::uint32_t component = chains.component[c];
-    const std::size_t first = chains.first[c], n = chains.first[c + 1] - first;
-    const auto is_inner = [&](std::size_t k) {
-      return (block.inner_faces() >> chains.face[first + k % n] & 1) != 0;
-    };
-    const auto point = [&](std::size_t k) -> const Vec3& {
-      return contour.points[chains.vertices[first + k % n]];
-    };
+  for (std::size_t l = 0; l < contour.boundary.size(); ++l) {
+    const std::uint32_t component = contour.boundary.component[l];
+    const BoundaryLoop& loop = contour.boundary.loops[l];
+    const std::size_t n = loop.size();
+    const auto is_inner = [&](std::size_t k) { return loop[k % n].is_fixed; };
+    const auto point = [&](std::size_t k) { return loop[k % n].point; };
     std::size_t begin_outer = n;
     for (std::size_t k = 0; k < n; ++k) {
       out.segments_on_inner[component] += is_inner(k);

@@ -30,8 +30,8 @@ struct OuterRun {
 // Returns the voxel on the other side of the block's inner face that has arc i of the loop.
 Index3 voxel_beyond(const Block& block, const BoundaryLoop& loop, std::size_t i,
                     const Vec3& spacing) {
-  const Vec3 middle = 0.5 * (loop.points[i] + loop.points[(i + 1) % loop.points.size()]);
-  const BoxFace face = loop.faces[i];
+  const Vec3 middle = 0.5 * (loop[i].point + loop[(i + 1) % loop.size()].point);
+  const BoxFace face = loop[i].face;
   Index3 voxel;
   for (int axis = 0; axis < 3; ++axis) {
     voxel[axis] = std::clamp(static_cast<int>(middle[axis] / spacing[axis]), block.box.begin[axis],
@@ -50,11 +50,13 @@ std::vector<OuterRun> outer_runs(const std::vector<Block>& blocks, const Vec3& s
     const BoundaryLoops& loops = *blocks[b].loops;
     for (std::uint32_t l = 0; l < loops.size(); ++l) {
       // Per arc: nonzero if it lies on a seam that is welded.
-      std::vector<std::uint8_t> welded = loops[l].fixed;
-      const std::size_t n = welded.size();
+      std::vector<std::uint8_t> welded;
+      const std::size_t n = loops[l].size();
+      const auto has_neighbor = [&](std::size_t i) {
+        return !is_elsewhere || !is_elsewhere(voxel_beyond(blocks[b], loops[l], i, spacing));
+      };
       for (std::size_t i = 0; i < n; ++i) {
-        if (welded[i] == 0 || !is_elsewhere) continue;
-        welded[i] = !is_elsewhere(voxel_beyond(blocks[b], loops[l], i, spacing));
+        welded.push_back(loops[l][i].is_fixed && has_neighbor(i));
       }
       if (std::ranges::find(welded, 1) == welded.end()) {
         runs.push_back({b, l, 0, n});
@@ -111,8 +113,8 @@ class Welder {
     return (*blocks_[run.block].loops)[run.loop];
   }
   const Vec3& point(const OuterRun& run, std::size_t at) const {
-    const std::vector<Vec3>& points = loop(run).points;
-    return points[(run.first + at) % points.size()];
+    const BoundaryLoop& own = loop(run);
+    return own[(run.first + at) % own.size()].point;
   }
 
   // Joins runs where one begins at the end of another. A place has at most one run that begins
@@ -128,25 +130,20 @@ class Welder {
       for (std::size_t r = start; runs_[r].whole == kNoId;) {
         OuterRun& run = runs_[r];
         run.whole = number;
-        run.place = static_cast<double>(whole.points.size());
+        run.place = static_cast<double>(whole.size());
         const BoundaryLoop& own = loop(run);
         for (std::size_t i = 0; i < run.arcs; ++i) {
-          const std::size_t at = (run.first + i) % own.points.size();
-          whole.points.push_back(own.points[at]);
-          whole.faces.push_back(own.faces[at]);
-          whole.fixed.push_back(own.fixed[at]);
-          whole.kept.push_back(own.kept[at]);
+          whole.push_back(own[(run.first + i) % own.size()]);
         }
         const auto next = begins.find(by_place(point(run, run.arcs)));
         require_fit(next != begins.end());
         r = next->second;
       }
       // What was kept for a seam that is welded is so no more.
-      const std::size_t n = whole.points.size();
+      const std::size_t n = whole.size();
       for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t before = (i + n - 1) % n;
-        if (whole.fixed[i] != 0 || whole.fixed[before] != 0) continue;
-        whole.kept[i] = whole.faces[i] != whole.faces[before];
+        LoopPoint &at = whole[i], &before = whole[(i + n - 1) % n];
+        if (!at.is_fixed && !before.is_fixed) at.is_kept = at.face != before.face;
       }
     }
   }
@@ -192,7 +189,7 @@ class Welder {
     for (VertexId v = 0; v < chain.vertex_capacity(); ++v) {
       if (!chain.is_boundary(v)) continue;
       const CurvePlace place = chain.place(v);
-      const auto n = static_cast<double>((*blocks_[b].loops)[place.loop].points.size());
+      const auto n = static_cast<double>((*blocks_[b].loops)[place.loop].size());
       for (auto run = std::ranges::lower_bound(runs_, std::pair(b, place.loop), {}, loop_of);
            run != runs_.end() && loop_of(*run) == std::pair(b, place.loop); ++run) {
         double along = place.s - static_cast<double>(run->first);

@@ -25,16 +25,15 @@ struct FaceAreas {
 
 // Returns the areas for T, 0 for components whose boundary passes an edge of the box.
 std::vector<FaceAreas> areas_of(const ContourMesh& contour) {
-  const BoundaryChains& chains = contour.boundary;
   std::vector<FaceAreas> areas(contour.summary.components.size());
   std::vector<std::uint8_t> passes_edge(areas.size(), 0);
-  for (std::size_t c = 0; c < chains.size(); ++c) {
-    const auto first = chains.first[c], end = chains.first[c + 1];
-    for (auto n = first; n < end; ++n) {
-      const VertexId to = chains.vertices[n + 1 < end ? n + 1 : first];
-      areas[chains.component[c]].add(chains.face[n], contour.points[chains.vertices[n]],
-                                     contour.points[to]);
-      passes_edge[chains.component[c]] |= chains.on_box_edge[n];
+  for (std::size_t l = 0; l < contour.boundary.size(); ++l) {
+    const BoundaryLoop& loop = contour.boundary.loops[l];
+    const std::uint32_t component = contour.boundary.component[l];
+    for (std::size_t n = 0; n < loop.size(); ++n) {
+      const LoopPoint &from = loop[n], &to = loop[n + 1 < loop.size() ? n + 1 : 0];
+      areas[component].add(from.face, from.point, to.point);
+      passes_edge[component] |= to.face != from.face;
     }
   }
   for (std::size_t e = 0; e < areas.size(); ++e) {

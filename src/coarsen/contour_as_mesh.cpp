@@ -10,7 +10,7 @@ SurfaceMesh contour_as_mesh(const ContourMesh& contour) {
   out.mesh = make_tri_mesh(contour.points, contour.triangles);
   std::vector<CurvePlace> places;
   for (std::uint32_t loop = 0; loop < contour.boundary.size(); ++loop) {
-    const auto vertices = contour.boundary.chain(loop);
+    const std::vector<VertexId>& vertices = contour.boundary.vertices[loop];
     places.clear();
     for (std::size_t s = 0; s < vertices.size(); ++s) {
       places.push_back({loop, static_cast<double>(s)});
@@ -18,24 +18,6 @@ SurfaceMesh contour_as_mesh(const ContourMesh& contour) {
     out.chain.add_loop(vertices, places);
   }
   return out;
-}
-
-BoundaryLoops boundary_loops(const ContourMesh& contour, unsigned inner) {
-  const BoundaryChains& chains = contour.boundary;
-  BoundaryLoops loops(chains.size());
-  for (std::size_t c = 0; c < loops.size(); ++c) {
-    BoundaryLoop& loop = loops[c];
-    for (std::uint32_t k = chains.first[c]; k < chains.first[c + 1]; ++k) {
-      loop.points.push_back(contour.points[chains.vertices[k]]);
-      loop.kept.push_back(chains.on_box_edge[k]);
-      loop.faces.push_back(chains.face[k]);
-      loop.fixed.push_back(inner >> chains.face[k] & 1);
-    }
-    for (std::size_t k = 0; k < loop.kept.size(); ++k) {
-      loop.kept[k] |= is_on_fixed(loop, static_cast<double>(k));
-    }
-  }
-  return loops;
 }
 
 }  // namespace deliso

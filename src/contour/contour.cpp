@@ -25,9 +25,9 @@ class CountingSink final : public ContourSink {
   VertexId next_ = 0;
 };
 
-// Links segments into chains. pre: every vertex starts one segment and ends one; `component` holds
-// component numbers.
-BoundaryChains chain_segments(std::vector<BoundarySegment> segments) {
+// Links segments into closed loops, each from its smallest vertex. pre: every vertex starts one
+// segment and ends one.
+std::vector<std::vector<BoundarySegment>> linked(std::vector<BoundarySegment> segments) {
   std::sort(segments.begin(), segments.end(),
             [](const auto& s, const auto& t) { return s.from < t.from; });
   const auto starting_at = [&](VertexId v) {
@@ -36,41 +36,29 @@ BoundaryChains chain_segments(std::vector<BoundarySegment> segments) {
     DELISO_CHECK(found != segments.end() && found->from == v);
     return static_cast<std::size_t>(found - segments.begin());
   };
-  BoundaryChains chains;
+  std::vector<std::vector<BoundarySegment>> loops;
   std::vector<bool> used(segments.size());
   for (std::size_t start = 0; start < segments.size(); ++start) {
     if (used[start]) continue;
+    std::vector<BoundarySegment>& loop = loops.emplace_back();
     for (std::size_t s = start; !used[s]; s = starting_at(segments[s].to)) {
       used[s] = true;
-      chains.vertices.push_back(segments[s].from);
-      chains.face.push_back(segments[s].face);
+      loop.push_back(segments[s]);
     }
-    BoxFace previous = chains.face.back();
-    for (std::size_t n = chains.first.back(); n < chains.face.size(); ++n) {
-      chains.on_box_edge.push_back(chains.face[n] != previous);
-      previous = chains.face[n];
-    }
-    chains.first.push_back(static_cast<std::uint32_t>(chains.vertices.size()));
-    chains.component.push_back(segments[start].component);
   }
-  return chains;
+  return loops;
 }
 
-// Returns the chains of kept components, with new numbers.
-BoundaryChains kept_chains(const BoundaryChains& all, const std::vector<VertexId>& new_vertex,
-                           const std::vector<std::uint32_t>& new_component) {
-  BoundaryChains kept;
-  for (std::size_t c = 0; c < all.size(); ++c) {
-    if (new_component[all.component[c]] == kNoId) continue;
-    for (std::size_t n = all.first[c]; n < all.first[c + 1]; ++n) {
-      kept.vertices.push_back(new_vertex[all.vertices[n]]);
-      kept.face.push_back(all.face[n]);
-      kept.on_box_edge.push_back(all.on_box_edge[n]);
-    }
-    kept.first.push_back(static_cast<std::uint32_t>(kept.vertices.size()));
-    kept.component.push_back(new_component[all.component[c]]);
-  }
-  return kept;
+// Gives the mesh its components and summary. Returns the loops of its boundary.
+std::vector<std::vector<BoundarySegment>> summarize(ContourMesh& mesh, WalkResult found) {
+  mesh.summary.active_voxels = found.active_voxels;
+  auto& components = mesh.summary.components;
+  const std::vector<std::uint32_t> component_of_label = found.components.finish(components);
+  for (auto& component : mesh.component) component = component_of_label[component];
+  for (auto& segment : found.boundary) segment.component = component_of_label[segment.component];
+  auto loops = linked(std::move(found.boundary));
+  for (const auto& loop : loops) ++components[loop[0].component].boundary_loops;
+  return loops;
 }
 
 }  // namespace
@@ -130,30 +118,44 @@ void keep_components(ContourMesh& contour, std::span<const std::uint8_t> kept) {
     return triangle[0] == kNoId;
   });
   contour.crowded.clear();  // numbers of triangles
-  contour.boundary = kept_chains(contour.boundary, new_vertex, new_component);
+  ContourBoundary all = std::exchange(contour.boundary, {});
+  for (std::size_t loop = 0; loop < all.size(); ++loop) {
+    const std::uint32_t component = new_component[all.component[loop]];
+    if (component == kNoId) continue;
+    for (VertexId& v : all.vertices[loop]) v = new_vertex[v];
+    contour.boundary.loops.push_back(std::move(all.loops[loop]));
+    contour.boundary.vertices.push_back(std::move(all.vertices[loop]));
+    contour.boundary.component.push_back(component);
+  }
 }
 
 ContourMesh build_contour(const Volume& volume, double kappa) {
   ContourMesh mesh;
   PieceMesher mesher(mesh, volume, kappa);
-  complete(mesh, walk_contour(volume, kappa, mesher));
+  complete(mesh, walk_contour(volume, kappa, mesher), volume.inner_faces());
   return mesh;
 }
 
-void complete(ContourMesh& mesh, WalkResult found) {
-  mesh.summary.active_voxels = found.active_voxels;
-  auto& components = mesh.summary.components;
-  const std::vector<std::uint32_t> component_of_label = found.components.finish(components);
-  for (auto& component : mesh.component) component = component_of_label[component];
-  for (auto& segment : found.boundary) segment.component = component_of_label[segment.component];
-  mesh.boundary = chain_segments(std::move(found.boundary));
-  for (const std::uint32_t c : mesh.boundary.component) ++components[c].boundary_loops;
+void complete(ContourMesh& mesh, WalkResult found, unsigned inner) {
+  ContourBoundary& boundary = mesh.boundary;
+  for (const std::vector<BoundarySegment>& segments : summarize(mesh, std::move(found))) {
+    BoundaryLoop& loop = boundary.loops.emplace_back();
+    std::vector<VertexId>& vertices = boundary.vertices.emplace_back();
+    boundary.component.push_back(segments[0].component);
+    BoxFace previous = segments.back().face;
+    for (const auto& [from, to, component, face] : segments) {
+      const bool is_fixed = (inner >> face & 1) != 0;
+      loop.push_back({mesh.points[from], face, face != previous || is_fixed, is_fixed});
+      vertices.push_back(from);
+      previous = face;
+    }
+  }
 }
 
 ContourSummary summarize_contour(const Volume& volume, double kappa) {
   ContourMesh nothing;
   CountingSink sink;
-  complete(nothing, walk_contour(volume, kappa, sink));
+  summarize(nothing, walk_contour(volume, kappa, sink));
   return nothing.summary;
 }
 

@@ -36,6 +36,7 @@
 #include "base/ids.h"
 #include "base/topology_counts.h"
 #include "base/vec3.h"
+#include "contour/boundary_loop.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -81,21 +82,17 @@ struct ContourSummary {
 std::vector<std::uint8_t> chosen_components(const ContourSummary& summary,
                                             const ComponentChoice& choice);
 
-// The closed curves in which Sigma meets the box. Chain c is vertices[first[c] .. first[c + 1]),
-// closed from the last to the first. Consecutive vertices are crossings of grid edges (or of edges
-// of a split voxel's cells) on one pixel of one box face. Chains run as the triangles of T do: T
-// lies on the left seen from g < kappa. Each starts at its smallest vertex.
-struct BoundaryChains {
-  std::vector<std::uint32_t> first{0};
-  std::vector<VertexId> vertices;
-  std::vector<BoxFace> face;              // of the segment from this vertex to the next
-  std::vector<std::uint8_t> on_box_edge;  // the curve turns from one face to another at this vertex
-  std::vector<std::uint32_t> component;   // one per chain
+// The closed curves in which T ends on the box. Consecutive points are crossings of grid edges (or
+// of edges of a split voxel's cells) on one pixel of one box face. Loops run as the triangles of T
+// do: T lies on the left seen from g < kappa. Each starts at its smallest vertex. The seams of a
+// block, its arcs on inner faces (Volume::inner_faces), are fixed.
+struct ContourBoundary {
+  BoundaryLoops loops;
+  std::vector<std::vector<VertexId>> vertices;  // per loop: those at its points
+  std::vector<std::uint32_t> component;         // per loop
 
   std::size_t size() const { return component.size(); }
-  std::span<const VertexId> chain(std::size_t c) const {
-    return std::span(vertices).subspan(first[c], first[c + 1] - first[c]);
-  }
+  friend bool operator==(const ContourBoundary&, const ContourBoundary&) = default;
 };
 
 struct ContourMesh {
@@ -103,7 +100,7 @@ struct ContourMesh {
   std::vector<std::uint32_t> component;  // per vertex, index into summary.components
   std::vector<std::uint8_t> box_faces;   // per vertex, bit f: on box face f; two bits on a box edge
   std::vector<std::array<VertexId, 3>> triangles;
-  BoundaryChains boundary;
+  ContourBoundary boundary;
   ContourSummary summary;
   std::uint64_t split_voxels = 0;    // voxels that were split
   std::uint64_t crossed_voxels = 0;  // voxels in which triangles cross, in the smallest cells too
@@ -124,7 +121,7 @@ ContourMesh build_contour(const Volume& volume, double kappa);
 
 // Removes the components with kept[c] == 0 from T (--largest, --min-component), and numbers the
 // others anew. All later steps take T for the whole surface: the mesh, its boundary curves, and
-// the samples of Stage 2. Vertices, triangles and chains stay in order. I1 to I6 hold;
+// the samples of Stage 2. Vertices, triangles and loops stay in order. I1 to I6 hold;
 // `summary.active_voxels` and the like still count voxels of the whole surface.
 void keep_components(ContourMesh& contour, std::span<const std::uint8_t> kept);
 

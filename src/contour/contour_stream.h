@@ -65,7 +65,8 @@ struct WalkResult {
 
 WalkResult walk_contour(const Volume& volume, double kappa, ContourSink& sink);
 
-// Gives a mesh that a sink has filled its components, boundary and summary.
-void complete(ContourMesh& mesh, WalkResult found);
+// Gives a mesh that a sink has filled its components, boundary and summary. `inner`: the inner
+// faces of the volume.
+void complete(ContourMesh& mesh, WalkResult found, unsigned inner);
 
 }  // namespace deliso

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "embedding/triangle_pair.h"
@@ -25,40 +26,34 @@ bool is_on_grid_edge(const Vec3& p, const Vec3& spacing) {
 void make_seams_plain(ContourMesh& contour, const Volume& block) {
   const unsigned inner = block.inner_faces();
   if (inner == 0 || contour.split_voxels == 0) return;
-  BoundaryChains& chains = contour.boundary;
-  BoundaryChains plain;
   const double off = kPerturbationVoxels * block.voxel();
-  for (std::size_t c = 0; c < chains.size(); ++c) {
-    const std::size_t first = chains.first[c], n = chains.first[c + 1] - first;
-    const auto vertex = [&](std::size_t k) { return chains.vertices[first + k % n]; };
+  for (std::size_t l = 0; l < contour.boundary.size(); ++l) {
+    const BoundaryLoop loop = std::exchange(contour.boundary.loops[l], {});
+    const std::vector<VertexId> all = std::exchange(contour.boundary.vertices[l], {});
+    const auto vertex = [&](std::size_t k) { return all[k % all.size()]; };
     const auto goes = [&](std::size_t k) {
       return (inner & contour.box_faces[vertex(k)]) != 0 &&
              !is_on_grid_edge(contour.points[vertex(k)], block.spacing());
     };
-    std::vector<std::size_t> lifted;
-    for (std::size_t k = 0; k < n; ++k) {
+    std::vector<VertexId> lifted;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const VertexId from = vertex(k);
       if (goes(k)) {
-        lifted.push_back(k);
+        lifted.push_back(from);
         continue;
       }
-      plain.vertices.push_back(vertex(k));
-      plain.face.push_back(chains.face[first + k]);
-      plain.on_box_edge.push_back(chains.on_box_edge[first + k]);
+      contour.boundary.loops[l].push_back(loop[k]);
+      contour.boundary.vertices[l].push_back(from);
       // The polyline from here runs along edges of triangles; these run along the other way.
-      const VertexId from = vertex(k);
       for (std::size_t m = k + 1; goes(m); ++m) {
         contour.triangles.push_back({vertex(m + 1), vertex(m), from});
       }
     }
-    for (const std::size_t k : lifted) {
-      const VertexId v = vertex(k);
+    for (const VertexId v : lifted) {
       contour.points[v] = contour.points[v] + off * inwards(contour.box_faces[v]);
       contour.box_faces[v] = 0;
     }
-    plain.first.push_back(static_cast<std::uint32_t>(plain.vertices.size()));
-    plain.component.push_back(chains.component[c]);
   }
-  chains = std::move(plain);
 }
 
 }  // namespace deliso

@@ -217,7 +217,7 @@ ContourMesh build_contour(const Volume& volume, double kappa, ContourSplit split
     SplitMesher mesher(mesh, volume, kappa, split);
     WalkResult found = walk_contour(volume, kappa, mesher);
     if (mesher.disagreeing.empty()) {
-      complete(mesh, std::move(found));
+      complete(mesh, std::move(found), volume.inner_faces());
       return mesh;
     }
     split.voxels = without(split.voxels, mesher.disagreeing);

@@ -45,8 +45,8 @@ DelaunayMesh delaunay_mesh(const Isosurface& surface, ContourMesh contour, const
                            const Parameters& parameters, Report& report) {
   make_fine(contour, surface, parameters, report);
   keep_components(contour, chosen_components(contour.summary, parameters.components));
-  const BoundaryCurves curves(surface,
-                              std::make_shared<const BoundaryLoops>(boundary_loops(contour)));
+  const BoundaryCurves curves(
+      surface, std::make_shared<const BoundaryLoops>(std::move(contour.boundary.loops)));
   SurfaceMesh mesh =
       delaunay_mesh(contour, contour.points, options, {surface, curves, parameters, report});
   return {std::move(mesh), curves, std::move(contour.points)};

@@ -17,19 +17,19 @@ double distance2_to_chord(const Vec3& p, const Vec3& a, const Vec3& b) {
 }
 
 const Vec3& BoundaryCurves::point(CurvePlace place) const {
-  return loop(place.loop).points[static_cast<std::size_t>(place.s)];
+  return loop(place.loop)[static_cast<std::size_t>(place.s)].point;
 }
 
 bool BoundaryCurves::is_kept(CurvePlace place) const {
   return place.s == std::floor(place.s) &&
-         loop(place.loop).kept[static_cast<std::size_t>(place.s)] != 0;
+         loop(place.loop)[static_cast<std::size_t>(place.s)].is_kept;
 }
 
 bool is_on_fixed(const BoundaryLoop& loop, double s) {
   const auto at = static_cast<std::size_t>(s);
-  if (loop.fixed[at] != 0) return true;
-  const std::size_t n = loop.fixed.size();
-  return s == static_cast<double>(at) && loop.fixed[(at + n - 1) % n] != 0;
+  if (loop[at].is_fixed) return true;
+  const std::size_t n = loop.size();
+  return s == static_cast<double>(at) && loop[(at + n - 1) % n].is_fixed;
 }
 
 bool BoundaryCurves::runs_beside_fixed(const CurvePoint& a, const CurvePoint& b) const {
@@ -40,20 +40,20 @@ bool BoundaryCurves::runs_beside_fixed(const CurvePoint& a, const CurvePoint& b)
 
 std::vector<CurvePoint> BoundaryCurves::arc(const CurvePoint& a, const CurvePoint& b) const {
   const auto& [number, start] = a.place;
-  const std::vector<Vec3>& curve = loop(number).points;
+  const BoundaryLoop& curve = loop(number);
   const std::size_t n = curve.size();
   const double end = b.place.s > start ? b.place.s : b.place.s + static_cast<double>(n);
   std::vector<CurvePoint> points{a};
   for (auto i = static_cast<std::size_t>(start) + 1; static_cast<double>(i) < end; ++i) {
-    points.push_back({{number, static_cast<double>(i)}, curve[i % n]});
+    points.push_back({{number, static_cast<double>(i)}, curve[i % n].point});
   }
   points.push_back({{number, end}, b.point});
   return points;
 }
 
 std::optional<Vec3> BoundaryCurves::middle(const CurvePoint& from, const CurvePoint& to) const {
-  const std::vector<BoxFace>& faces = loop(from.place.loop).faces;
-  const BoxFace face = faces[static_cast<std::size_t>(from.place.s) % faces.size()];
+  const BoundaryLoop& curve = loop(from.place.loop);
+  const BoxFace face = curve[static_cast<std::size_t>(from.place.s) % curve.size()].face;
   return boundary_midpoint(surface_.volume(), surface_.kappa(), face, from.point, to.point);
 }
 
@@ -84,17 +84,17 @@ std::optional<CurvePoint> BoundaryCurves::split(const CurvePoint& a, const Curve
     if (i + 1 < points.size()) consider(to, so_far);
   }
   if (!best) return std::nullopt;
-  const auto length = static_cast<double>(loop(a.place.loop).points.size());
+  const auto length = static_cast<double>(loop(a.place.loop).size());
   if (best->place.s >= length) best->place.s -= length;
   return best;
 }
 
 bool BoundaryCurves::strays(const CurvePoint& a, const CurvePoint& b, double limit) const {
-  const std::vector<Vec3>& curve = loop(a.place.loop).points;
+  const BoundaryLoop& curve = loop(a.place.loop);
   const std::size_t n = curve.size();
   const double end = b.place.s > a.place.s ? b.place.s : b.place.s + static_cast<double>(n);
   for (auto i = static_cast<std::size_t>(a.place.s) + 1; static_cast<double>(i) < end; ++i) {
-    if (distance2_to_chord(curve[i % n], a.point, b.point) > limit * limit) return true;
+    if (distance2_to_chord(curve[i % n].point, a.point, b.point) > limit * limit) return true;
   }
   return false;
 }

@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/box3.h"
 #include "base/ids.h"
+#include "contour/boundary_loop.h"
 #include "isosurface/isosurface.h"
 
 namespace deliso {
@@ -34,17 +34,6 @@ struct CurvePoint {
   CurvePlace place;
   Vec3 point;
 };
-
-struct BoundaryLoop {
-  std::vector<Vec3> points;  // closed: the last is joined to the first
-  // Per point: nonzero if every chain must have it. There the curve turns on an edge of the box,
-  // or a seam has a vertex.
-  std::vector<std::uint8_t> kept;
-  std::vector<BoxFace> faces;       // per point: the face of the arc from it to the next
-  std::vector<std::uint8_t> fixed;  // per point: nonzero if that arc is fixed
-};
-
-using BoundaryLoops = std::vector<BoundaryLoop>;
 
 // True if the arc of the loop that begins at place s is fixed, or that before it ends there and is.
 bool is_on_fixed(const BoundaryLoop& loop, double s);
@@ -63,7 +52,7 @@ class BoundaryCurves {
   bool is_kept(CurvePlace place) const;
   // True if the arc that begins at the place is fixed; if it is, or that before it.
   bool begins_fixed(CurvePlace place) const {
-    return loop(place.loop).fixed[static_cast<std::size_t>(place.s)] != 0;
+    return loop(place.loop)[static_cast<std::size_t>(place.s)].is_fixed;
   }
   bool is_on_fixed(CurvePlace place) const {
     return deliso::is_on_fixed(loop(place.loop), place.s);

@@ -24,7 +24,7 @@ struct Coarse {
       : parameters(resolve(options, scene.volume)),
         loops(std::make_shared<BoundaryLoops>()),
         curves((make_fine(scene.contour, scene.surface, parameters, report),
-                *loops = boundary_loops(scene.contour), BoundaryCurves(scene.surface, loops))),
+                *loops = scene.contour.boundary.loops, BoundaryCurves(scene.surface, loops))),
         mesh(contour_as_mesh(scene.contour)) {
     coarsen(mesh, {scene.surface, curves, parameters, report});
   }

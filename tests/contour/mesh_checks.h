@@ -133,9 +133,9 @@ inline std::string check_points(const ContourMesh& mesh, const Volume& volume, d
   return "";
 }
 
-// The chains are the mesh's boundary: the same directed edges, closed, turning exactly at vertices
+// The loops are the mesh's boundary: the same directed edges, closed, turning exactly at vertices
 // on the box's edges. Each segment is on one pixel of its face.
-inline std::string check_chains(const ContourMesh& mesh, const Volume& volume) {
+inline std::string check_loops(const ContourMesh& mesh, const Volume& volume) {
   std::set<std::pair<VertexId, VertexId>> directed, boundary;
   for (const auto& t : mesh.triangles) {
     for (int i = 0; i < 3; ++i) directed.insert({t[i], t[(i + 1) % 3]});
@@ -143,19 +143,19 @@ inline std::string check_chains(const ContourMesh& mesh, const Volume& volume) {
   for (const auto& [a, b] : directed) {
     if (directed.count({b, a}) == 0) boundary.insert({a, b});
   }
-  const BoundaryChains& chains = mesh.boundary;
-  if (chains.vertices.size() != boundary.size()) return "chains and boundary edges differ";
-  for (std::size_t c = 0; c < chains.size(); ++c) {
-    const auto chain = chains.chain(c);
-    if (chain.size() < 3) return "chain of fewer than three vertices";
-    for (std::size_t n = 0; n < chain.size(); ++n) {
-      const VertexId v = chain[n], w = chain[(n + 1) % chain.size()];
-      const std::string name = "chain at " + vertex_name(mesh, v);
+  for (std::size_t c = 0; c < mesh.boundary.size(); ++c) {
+    const std::vector<VertexId>& vertices = mesh.boundary.vertices[c];
+    const BoundaryLoop& loop = mesh.boundary.loops[c];
+    if (vertices.size() < 3) return "loop of fewer than three vertices";
+    if (loop.size() != vertices.size()) return "points and vertices of a loop differ";
+    for (std::size_t n = 0; n < vertices.size(); ++n) {
+      const VertexId v = vertices[n], w = vertices[(n + 1) % vertices.size()];
+      const std::string name = "loop at " + vertex_name(mesh, v);
+      if (loop[n].point != mesh.points[v]) return name + " has another point";
       if (boundary.erase({v, w}) == 0) return name + " is not on the mesh's boundary";
-      if (v < chain[0]) return name + " does not start at its smallest vertex";
-      if (mesh.component[v] != chains.component[c]) return name + " has another component";
-      const BoxFace face = chains.face[chains.first[c] + n];
-      if ((mesh.box_faces[v] & mesh.box_faces[w] & 1 << face) == 0)
+      if (v < vertices[0]) return name + " does not start at its smallest vertex";
+      if (mesh.component[v] != mesh.boundary.component[c]) return name + " has another component";
+      if ((mesh.box_faces[v] & mesh.box_faces[w] & 1 << loop[n].face) == 0)
         return name + " leaves its face";
       for (int axis = 0; axis < 3; ++axis) {
         const double s = volume.spacing()[axis];
@@ -164,10 +164,10 @@ inline std::string check_chains(const ContourMesh& mesh, const Volume& volume) {
         if (high > std::floor(low + 1e-9) + 1 + 1e-9) return name + " spans more than a pixel";
       }
       const bool on_edge = (mesh.box_faces[v] & (mesh.box_faces[v] - 1)) != 0;
-      if (on_edge != (chains.on_box_edge[chains.first[c] + n] != 0)) return name + " turns wrongly";
+      if (on_edge != loop[n].is_kept) return name + " turns wrongly";
     }
   }
-  return "";
+  return boundary.empty() ? "" : "a boundary edge in no loop";
 }
 
 // The summary of each component agrees with its triangles.
@@ -205,7 +205,7 @@ inline std::string check_summary(const ContourMesh& mesh) {
 inline std::string check_contour(const ContourMesh& mesh, const Volume& volume, double kappa) {
   std::string fault = check_manifold(mesh);
   if (fault.empty()) fault = check_points(mesh, volume, kappa);
-  if (fault.empty()) fault = check_chains(mesh, volume);
+  if (fault.empty()) fault = check_loops(mesh, volume);
   if (fault.empty()) fault = check_summary(mesh);
   return fault;
 }

@@ -22,7 +22,7 @@ std::vector<Vec3> places(const ContourMesh& contour, const std::vector<std::uint
   }
   for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
     if (!selected[contour.boundary.component[c]]) continue;
-    for (const VertexId v : contour.boundary.chain(c)) all.push_back(contour.points[v]);
+    for (const VertexId v : contour.boundary.vertices[c]) all.push_back(contour.points[v]);
   }
   return all;
 }
@@ -54,7 +54,7 @@ TEST_CASE("what is kept of a contour is as it was, and nothing else is there") {
     std::vector<std::uint64_t> loops(expected.size(), 0);
     for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
       ++loops[contour.boundary.component[c]];
-      for (const VertexId v : contour.boundary.chain(c)) {
+      for (const VertexId v : contour.boundary.vertices[c]) {
         CHECK(contour.on_boundary(v));
         CHECK(contour.component[v] == contour.boundary.component[c]);
       }

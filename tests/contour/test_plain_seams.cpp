@@ -49,12 +49,14 @@ TEST_CASE("blocks end on their common face alike, at crossings of grid edges") {
         CHECK((faces == 0 || mesh.chain.is_boundary(v)));
       }
       for (std::size_t c = 0; c < t.boundary.size(); ++c) {
-        const auto chain = t.boundary.chain(c);
-        for (std::size_t k = 0; k < chain.size(); ++k) {
-          if ((inner >> t.boundary.face[t.boundary.first[c] + k] & 1) == 0) continue;
+        const BoundaryLoop& loop = t.boundary.loops[c];
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+          CHECK(loop[k].point == t.points[t.boundary.vertices[c][k]]);
+          CHECK(loop[k].is_fixed == ((inner >> loop[k].face & 1) != 0));
+          if (is_on_fixed(loop, static_cast<double>(k))) CHECK(loop[k].is_kept);
+          if (!loop[k].is_fixed) continue;
           EndPoints segment;
-          for (const VertexId v : {chain[k], chain[(k + 1) % chain.size()]}) {
-            const Vec3& p = t.points[v];
+          for (const Vec3& p : {loop[k].point, loop[(k + 1) % loop.size()].point}) {
             segment.insert({p.x, p.y, p.z});
           }
           ++ends[segment];

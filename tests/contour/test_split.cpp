@@ -20,10 +20,7 @@ namespace {
 
 bool same_mesh(const ContourMesh& a, const ContourMesh& b) {
   return a.points == b.points && a.component == b.component && a.box_faces == b.box_faces &&
-         a.triangles == b.triangles && a.boundary.first == b.boundary.first &&
-         a.boundary.vertices == b.boundary.vertices && a.boundary.face == b.boundary.face &&
-         a.boundary.on_box_edge == b.boundary.on_box_edge &&
-         a.boundary.component == b.boundary.component && a.summary == b.summary;
+         a.triangles == b.triangles && a.boundary == b.boundary && a.summary == b.summary;
 }
 
 // The crossings of the plain T's grid edges are vertices of the finer one, in the same order.

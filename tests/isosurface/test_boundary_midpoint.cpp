@@ -47,11 +47,10 @@ TEST_CASE("arcs within a pixel split down to a thousandth of a voxel") {
     const Volume volume = random_volume(random, levels);
     const double kappa = geometric_isovalue(volume.type(), random.below(levels));
     const ContourMesh mesh = build_contour(volume, kappa);
-    for (std::size_t c = 0; c < mesh.boundary.size(); ++c) {
-      const auto chain = mesh.boundary.chain(c);
-      for (std::size_t n = 0; n < chain.size(); ++n) {
-        const BoxFace face = mesh.boundary.face[mesh.boundary.first[c] + n];
-        Vec3 a = mesh.points[chain[n]], b = mesh.points[chain[(n + 1) % chain.size()]];
+    for (const BoundaryLoop& loop : mesh.boundary.loops) {
+      for (std::size_t n = 0; n < loop.size(); ++n) {
+        const BoxFace face = loop[n].face;
+        Vec3 a = loop[n].point, b = loop[(n + 1) % loop.size()].point;
         for (int level = 0; level < 10 && distance(a, b) > 1e-6; ++level) {
           const auto p = boundary_midpoint(volume, kappa, face, a, b);
           REQUIRE(p);
@@ -76,13 +75,11 @@ TEST_CASE("between points several pixels apart it is the nearest hit of the chor
     const Volume volume = random_volume(random, 1000);
     const double kappa = random.uniform(200, 800);
     const ContourMesh mesh = build_contour(volume, kappa);
-    for (std::size_t c = 0; c < mesh.boundary.size(); ++c) {
-      const auto chain = mesh.boundary.chain(c);
-      const std::size_t first = mesh.boundary.first[c];
-      const BoxFace face = mesh.boundary.face[first];
+    for (const BoundaryLoop& loop : mesh.boundary.loops) {
+      const BoxFace face = loop[0].face;
       std::size_t n = 1;
-      while (n + 1 < chain.size() && n < 6 && mesh.boundary.face[first + n] == face) ++n;
-      const Vec3 a = mesh.points[chain[0]], b = mesh.points[chain[n]];
+      while (n + 1 < loop.size() && n < 6 && loop[n].face == face) ++n;
+      const Vec3 a = loop[0].point, b = loop[n].point;
       if (distance(a, b) < 1e-3) continue;
       const auto p = boundary_midpoint(volume, kappa, face, a, b);
       const Vec3 normal = face_normal_of(face, a, b), middle = 0.5 * (a + b);

@@ -21,7 +21,7 @@ allowed() {
     embedding) echo "base delaunay mesh embedding" ;;
     contour) echo "base volume delaunay mesh embedding contour" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
-    surface) echo "base mesh embedding volume isosurface surface" ;;
+    surface) echo "base mesh embedding volume isosurface contour/boundary_loop.h surface" ;;
     coarsen) echo "$surface delaunay contour coarsen" ;;
     recover) echo "base roots volume kdtree isosurface delaunay mesh embedding contour paper recover" ;;
     refine) echo "$surface refine" ;;

@@ -96,7 +96,7 @@ TEST_CASE("rings hold every triangle of T once, and follow the chains") {
   std::vector<Triangle> triangles(contour.triangles.begin(), contour.triangles.end());
   std::size_t on_chains = 0;
   for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
-    const std::span<const VertexId> chain = contour.boundary.chain(c);
+    const std::vector<VertexId>& chain = contour.boundary.vertices[c];
     for (std::size_t k = 0; k < chain.size(); ++k, ++on_chains) {
       REQUIRE(graph.ring(chain[k]).front() == chain[(k + 1) % chain.size()]);
       REQUIRE(graph.ring(chain[(k + 1) % chain.size()]).back() == chain[k]);

@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include "coarsen/contour_as_mesh.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
 
@@ -27,21 +26,23 @@ TEST_CASE(
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14, {1, 1, seed % 3 == 0 ? 3.0 : 1.0});
     const BoundaryCurves curves = BoundaryCurves(
-        scene.surface, std::make_shared<const BoundaryLoops>(boundary_loops(scene.contour)));
+        scene.surface, std::make_shared<const BoundaryLoops>(scene.contour.boundary.loops));
     REQUIRE(curves.loop_count() == scene.contour.boundary.size());
     for (std::uint32_t loop = 0; loop < curves.loop_count(); ++loop) {
       ++loops;
-      const std::uint32_t first = scene.contour.boundary.first[loop];
-      const std::size_t n = scene.contour.boundary.chain(loop).size();
+      const std::size_t n = curves.loop(loop).size();
       // A chain of the kept points, and of others where the sagitta asks for them.
       const auto at = [&](std::size_t k) -> CurvePoint {
         const CurvePlace place{loop, static_cast<double>(k)};
         return {place, curves.point(place)};
       };
+      const auto turns = [&](std::size_t k) {
+        return curves.loop(loop)[k].face != curves.loop(loop)[(k + n - 1) % n].face;
+      };
       std::vector<CurvePlace> chain;
       for (std::size_t k = 0, last = 0; k < n; ++k) {
         const CurvePlace place = at(k).place;
-        if (scene.contour.boundary.on_box_edge[first + k]) CHECK(curves.is_kept(place));
+        CHECK(curves.is_kept(place) == turns(k));
         const double chord = distance(at(last).point, at((k + 1) % n).point);
         if (k == 0 || curves.is_kept(place) ||
             curves.strays(at(last), at((k + 1) % n), 0.1 * chord)) {
