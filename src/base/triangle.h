@@ -14,6 +14,13 @@ constexpr Vec3 area_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return cross(b - a, c - a);
 }
 
+// Returns six times the volume between the triangle and the origin, positive if its normal points
+// away from there. The sum over a closed surface is positive if its normals point outwards. With an
+// origin in all faces of the box that a surface meets, its open ends bound no volume.
+constexpr double sixfold_volume(const Vec3& origin, const Vec3& a, const Vec3& b, const Vec3& c) {
+  return dot(a - origin, cross(b - origin, c - origin));
+}
+
 // Returns the circumcenter, in the triangle's plane; infinite or NaN for collinear corners.
 inline Vec3 circumcenter(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a, n = cross(u, v);

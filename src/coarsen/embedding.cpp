@@ -184,10 +184,10 @@ std::vector<double> MeshComponents::volumes(const TriMesh& mesh) const {
   std::vector<double> volumes(count(), 0);
   for (const Face& face : mesh.faces) {
     if (is_dead(face)) continue;
-    const std::uint32_t c = of[face.v[0]];
-    if (!origin[c]) continue;
-    const Vec3 &o = *origin[c], a = mesh.points[face.v[0]] - o;
-    volumes[c] += dot(a, cross(mesh.points[face.v[1]] - o, mesh.points[face.v[2]] - o));
+    const auto& [a, b, c] = face.v;
+    const std::uint32_t n = of[a];
+    if (!origin[n]) continue;
+    volumes[n] += sixfold_volume(*origin[n], mesh.points[a], mesh.points[b], mesh.points[c]);
   }
   return volumes;
 }

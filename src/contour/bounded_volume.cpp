@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "contour/bounded_volume.h"
 
+#include "base/triangle.h"
+
 namespace deliso {
 
 std::vector<std::optional<Vec3>> component_origins(const ContourMesh& contour, const Box3& box) {
@@ -25,8 +27,7 @@ std::vector<double> bounded_volumes(const std::vector<Vec3>& points,
   for (const std::array<VertexId, 3>& t : triangles) {
     const std::uint32_t c = component[t[0]];
     if (c == kNoId || !origins[c]) continue;
-    const Vec3& o = *origins[c];
-    volumes[c] += dot(points[t[0]] - o, cross(points[t[1]] - o, points[t[2]] - o));
+    volumes[c] += sixfold_volume(*origins[c], points[t[0]], points[t[1]], points[t[2]]);
   }
   return volumes;
 }

@@ -96,9 +96,8 @@ double enclosed_volume(const TriMesh& mesh) {
     for (pending.assign(1, start); !pending.empty();) {
       const Face& face = mesh.faces[pending.back()];
       pending.pop_back();
-      const Vec3 a = mesh.points[face.v[0]] - apex, b = mesh.points[face.v[1]] - apex,
-                 c = mesh.points[face.v[2]] - apex;
-      sixfold += dot(a, cross(b, c));
+      const auto& [a, b, c] = face.v;
+      sixfold += sixfold_volume(apex, mesh.points[a], mesh.points[b], mesh.points[c]);
       for (const FaceId g : face.n) {
         if (g == kNoId || seen[g]) continue;
         seen[g] = true;

@@ -149,12 +149,10 @@ bool Refinement::reverses(Replacement& c) {
     const Face& face = mesh.faces[f];
     for (int i = 0; i < 3; ++i) visit(face.n[i], face.v[(i + 1) % 3], face.v[(i + 2) % 3]);
   }
-  // The origin is in all faces of the box that the component meets. From there its open sides have
-  // no volume.
   const std::optional<Vec3> origin = moved_into_faces(point(c.in().facets[0][0]), met, box);
   if (!origin) return false;
   const auto volume = [&](const Triangle& v, auto&& at) {
-    return dot(at(v[0]) - *origin, cross(at(v[1]) - *origin, at(v[2]) - *origin));
+    return sixfold_volume(*origin, at(v[0]), at(v[1]), at(v[2]));
   };
   const auto now = [&](VertexId v) { return point(v); };
   const auto was = [&](VertexId v) { return point_before(c, v); };

@@ -106,7 +106,7 @@ class LiftOff {
   const TriMesh& mesh_;
   const Box3 box_;
   const std::vector<double> off_;  // descending
-  const Given given_;
+  const Given& given_;
   std::optional<Refinement> replacer_;
 };
 
@@ -236,9 +236,7 @@ bool LiftOff::lift(FaceId f, int i, Effort effort) {
 }  // namespace
 
 std::size_t lift_off(SurfaceMesh& s, const Given& given) {
-  Parameters parameters = given.parameters;
-  parameters.observer = nullptr;  // caps are not followed
-  return LiftOff(s, {given.surface, given.curves, parameters, given.report}).run();
+  return LiftOff(s, given).run();
 }
 
 }  // namespace deliso

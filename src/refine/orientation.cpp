@@ -21,7 +21,7 @@ bool is_in_tetrahedron(const std::array<Vec3, 4>& corners, const Vec3& q) {
   for (std::size_t i = 0; i < 4; ++i) {
     std::array<Vec3, 4> p = corners;
     p[i] = q;
-    const double volume = dot(p[1] - p[0], cross(p[2] - p[0], p[3] - p[0]));
+    const double volume = sixfold_volume(p[0], p[1], p[2], p[3]);
     positive |= volume > 0;
     negative |= volume < 0;
   }
@@ -63,7 +63,7 @@ Orientation::Orientation(const Refinement& r)
 }
 
 double Orientation::volume_from(const Vec3& origin, const Triangle& v) const {
-  return dot(r_.point(v[0]) - origin, cross(r_.point(v[1]) - origin, r_.point(v[2]) - origin));
+  return sixfold_volume(origin, r_.point(v[0]), r_.point(v[1]), r_.point(v[2]));
 }
 
 void Orientation::add_loop(VertexId start) {

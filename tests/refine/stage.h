@@ -64,8 +64,8 @@ inline int turned_out(const TriMesh& mesh) {
     const Vec3 origin = mesh.points[mesh.faces[start].v[0]];
     for (std::size_t k = 0; k < component.size(); ++k) {
       const Face& face = mesh.faces[component[k]];
-      const auto at = [&](std::size_t i) { return mesh.points[face.v[i]] - origin; };
-      volume += dot(at(0), cross(at(1), at(2)));
+      const auto& [a, b, c] = face.v;
+      volume += sixfold_volume(origin, mesh.points[a], mesh.points[b], mesh.points[c]);
       for (const FaceId g : face.n) {
         closed &= g != kNoId;
         if (g == kNoId || seen[g]) continue;
