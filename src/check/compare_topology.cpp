@@ -85,9 +85,9 @@ std::vector<std::uint32_t> candidates(const std::vector<Vec3>& voters,
 // Returns for each component of the mesh the one of T that it stands for; kNoId if it is near none.
 std::vector<std::uint32_t> match_components(const CleanMesh& mesh,
                                             const std::vector<std::vector<VertexId>>& vertices,
-                                            const ContourMesh& contour,
-                                            const VoxelComponents& voxels, const Volume& volume,
-                                            int threads) {
+                                            const ExactSurface& exact, int threads) {
+  const ContourMesh& contour = exact.contour;
+  const Volume& volume = exact.surface.volume();
   // Of several components the nearest decides, in voxels along each axis: spacings may be very
   // unequal.
   const Vec3 spacing = volume.spacing();
@@ -98,7 +98,7 @@ std::vector<std::uint32_t> match_components(const CleanMesh& mesh,
       double least = std::numeric_limits<double>::infinity();
       Vec3 normal;
       std::uint32_t component = kNoId;
-      voxels.for_each_triangle_around(p, [&](std::uint32_t n) {
+      exact.voxels.for_each_triangle_around(p, [&](std::uint32_t n) {
         const Triangle& t = contour.triangles[n];
         const Vec3 a = in_voxels(contour.points[t[0]]), b = in_voxels(contour.points[t[1]]),
                    c = in_voxels(contour.points[t[2]]);
@@ -117,7 +117,7 @@ std::vector<std::uint32_t> match_components(const CleanMesh& mesh,
   std::vector<std::uint32_t> match(vertices.size(), kNoId);
   for_each_task(threads, match.size(), [&](std::size_t m) {
     const std::vector<Vec3> voters = voters_of(vertices[m], mesh);
-    const std::vector<std::uint32_t> named = candidates(voters, voxels);
+    const std::vector<std::uint32_t> named = candidates(voters, exact.voxels);
     if (named.size() == 1) match[m] = named[0];
     if (named.size() > 1) match[m] = nearest_component(voters);
   });
@@ -126,11 +126,11 @@ std::vector<std::uint32_t> match_components(const CleanMesh& mesh,
 
 }  // namespace
 
-ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
-                                      const VoxelComponents& voxels, const Isosurface& surface,
+ComparedComponents compare_components(const CleanMesh& mesh, const ExactSurface& exact,
                                       double tolerance, const ComponentChoice& choice, int threads,
                                       Faults& faults) {
-  const Volume& volume = surface.volume();
+  const ContourMesh& contour = exact.contour;
+  const Volume& volume = exact.surface.volume();
   const std::size_t count = mesh.broken.size();
   const Vec3 spacing = volume.spacing();
   const MeshTopology& topology = mesh.topology;
@@ -139,10 +139,9 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
     if (mesh.component[v] != kNoId) vertices[mesh.component[v]].push_back(v);
   }
 
-  const std::vector<ContourComponent>& exact = contour.summary.components;
-  const std::vector<std::uint32_t> stands_for =
-      match_components(mesh, vertices, contour, voxels, volume, threads);
-  std::vector<std::uint32_t> stand_in(exact.size(), kNoId);
+  const std::vector<ContourComponent>& components = contour.summary.components;
+  const std::vector<std::uint32_t> stands_for = match_components(mesh, vertices, exact, threads);
+  std::vector<std::uint32_t> stand_in(components.size(), kNoId);
   for (std::uint32_t m = 0; m < count; ++m) {
     if (stands_for[m] == kNoId) continue;
     std::uint32_t& best = stand_in[stands_for[m]];
@@ -172,13 +171,13 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
     if (stands_for[m] != kNoId) origins_in_mesh[m] = origins[stands_for[m]];
   }
   const std::vector<double> by_boundary =
-      boundary_orientations(mesh, stands_for, contour, surface, tolerance);
+      boundary_orientations(mesh, stands_for, contour, exact.surface, tolerance);
   const std::vector<double> exactly_bounded =
       bounded_volumes(contour.points, contour.triangles, contour.component, origins);
   const std::vector<double> bounded =
       bounded_volumes(mesh.points, mesh.triangles, mesh.component, origins_in_mesh);
-  for (std::uint32_t e = 0; e < exact.size(); ++e) {
-    const ContourComponent& x = exact[e];
+  for (std::uint32_t e = 0; e < components.size(); ++e) {
+    const ContourComponent& x = components[e];
     const Box3 box = box_of(x, volume);
     const std::string name =
         text("component ", e, " of the surface (", box_text(box, spacing), ")");

@@ -14,6 +14,13 @@
 
 namespace deliso {
 
+// What a mesh is held against.
+struct ExactSurface {
+  const Isosurface& surface;
+  const ContourMesh& contour;     // T
+  const VoxelComponents& voxels;  // of T
+};
+
 struct ComparedComponents {
   std::vector<std::uint32_t> match;  // of T, per component of the mesh; kNoId if it is extra
   std::vector<std::uint8_t> kept;    // per component of T: chosen, or in the mesh though not chosen
@@ -33,8 +40,7 @@ struct ComparedComponents {
 // Components that are not chosen may be missing. A component is reversed by its boundary
 // (check/boundary_orientation.h). If that does not tell, by the sign of the volume that it bounds
 // (contour/bounded_volume.h). A vertex within `tolerance` of a face of the box is on it.
-ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
-                                      const VoxelComponents& voxels, const Isosurface& surface,
+ComparedComponents compare_components(const CleanMesh& mesh, const ExactSurface& exact,
                                       double tolerance, const ComponentChoice& choice, int threads,
                                       Faults& faults);
 

@@ -134,10 +134,11 @@ struct NearContour {
   bool two_sheets = false;
 };
 NearContour contour_near(const Vec3& p, double distance, double shortest,
-                         const ContourMesh& contour, const VoxelComponents& voxels) {
+                         const ExactSurface& exact) {
+  const ContourMesh& contour = exact.contour;
   NearContour near;
   std::vector<Vec3> normals;
-  voxels.for_each_triangle_around(p, [&](std::uint32_t n) {
+  exact.voxels.for_each_triangle_around(p, [&](std::uint32_t n) {
     const auto& [u, v, w] = contour.triangles[n];
     const Vec3 &a = contour.points[u], &b = contour.points[v], &c = contour.points[w];
     // A corner is asked too: of a triangle without area no distance is known.
@@ -157,10 +158,12 @@ NearContour contour_near(const Vec3& p, double distance, double shortest,
 
 // Checks that vertices lie on Sigma, and on the component that their triangles stand for; except
 // those of extra components. Returns which vertices lie on Sigma.
-std::vector<std::uint8_t> check_vertices_on_surface(
-    const CleanMesh& mesh, const ComparedComponents& compared, const TriangleTree& tree,
-    const ContourMesh& contour, const VoxelComponents& voxels, const Isosurface& surface,
-    int threads, Verification& result) {
+std::vector<std::uint8_t> check_vertices_on_surface(const CleanMesh& mesh,
+                                                    const ComparedComponents& compared,
+                                                    const TriangleTree& tree,
+                                                    const ExactSurface& exact, int threads,
+                                                    Verification& result) {
+  const Isosurface& surface = exact.surface;
   const double voxel = surface.volume().voxel();
   const Vec3 spacing = surface.volume().spacing();
   const double largest_spacing = std::max({spacing.x, spacing.y, spacing.z});
@@ -177,7 +180,7 @@ std::vector<std::uint8_t> check_vertices_on_surface(
       if (m == kNoId || compared.match[m] == kNoId) continue;
       off[v] = distance_off_surface(p, surface, result.surface_tolerance, 4 * voxel);
       if (off[v] != 0) {
-        const NearContour near = contour_near(p, apart, least, contour, voxels);
+        const NearContour near = contour_near(p, apart, least, exact);
         const bool may_leave =
             near.short_edge || near.two_sheets ||
             has_triangle_near(mesh.points, mesh.triangles, tree, VertexId(v), 2 * apart);
@@ -186,7 +189,7 @@ std::vector<std::uint8_t> check_vertices_on_surface(
       on_surface[v] = off[v] == 0;
       if (!on_surface[v]) continue;
       bool is_here = false;
-      voxels.for_each_component_at(p, [&](std::uint32_t c) {
+      exact.voxels.for_each_component_at(p, [&](std::uint32_t c) {
         is_here |= c == compared.match[m];
         elsewhere[v] = std::min(elsewhere[v], c);
       });
@@ -216,13 +219,12 @@ std::vector<std::uint8_t> check_vertices_on_surface(
 
 // Returns how far p is from Sigma, given an upper bound. A search towards every vertex of T around
 // it finds Sigma at the latest there.
-double sharper_distance(const Vec3& p, double d, const ContourMesh& contour,
-                        const VoxelComponents& voxels, const Isosurface& surface) {
+double sharper_distance(const Vec3& p, double d, const ExactSurface& exact) {
   SearchCounters counters;
-  const PatchAt patch(surface, p);
-  voxels.for_each_triangle_around(p, [&](std::uint32_t n) {
-    for (const VertexId v : contour.triangles[n]) {
-      d = std::min(d, patch.distance_along(contour.points[v] - p, d, counters));
+  const PatchAt patch(exact.surface, p);
+  exact.voxels.for_each_triangle_around(p, [&](std::uint32_t n) {
+    for (const VertexId v : exact.contour.triangles[n]) {
+      d = std::min(d, patch.distance_along(exact.contour.points[v] - p, d, counters));
     }
   });
   return d;
@@ -233,9 +235,9 @@ double sharper_distance(const Vec3& p, double d, const ContourMesh& contour,
 // likes. `off`: bounds on their distances.
 void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<TriangleDistances>& off,
                                 const std::vector<std::uint8_t>& on_surface,
-                                const ContourMesh& contour, const VoxelComponents& voxels,
-                                const Isosurface& surface, Verification& result) {
-  const double voxel = surface.volume().voxel();
+                                const ExactSurface& exact, Verification& result) {
+  const Volume& volume = exact.surface.volume();
+  const double voxel = volume.voxel();
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
     const Triangle& t = mesh.triangles[n];
     const auto is_on_surface = [&](VertexId v) { return on_surface[v] != 0; };
@@ -244,12 +246,12 @@ void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<Triangl
     for (std::size_t k = 0; k < off[n].size(); ++k) {
       if (off[n][k] <= h) continue;
       const Vec3 p = measured_point(mesh, n, k);
-      h = std::max(h, sharper_distance(p, off[n][k], contour, voxels, surface));
+      h = std::max(h, sharper_distance(p, off[n][k], exact));
     }
     if (h <= voxel) continue;
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
     FacetShape shape = measure(a, b, c, a);
-    shape.h = std::min(h, search_limit(surface.volume()));  // if nothing is found, that at least
+    shape.h = std::min(h, search_limit(volume));  // if nothing is found, that at least
     const auto passes = [&](Criterion k) {
       return share_of_limit(static_cast<std::size_t>(k), shape, result.limits) > 1;
     };
@@ -273,16 +275,16 @@ std::vector<Vec3> compare_topology(const CleanMesh& mesh, const TriangleTree& tr
   const Volume& volume = surface.volume();
   ContourMesh contour = build_contour(volume, surface.kappa());
   const VoxelComponents voxels(contour, volume, result.surface_tolerance);
-  const ComparedComponents compared =
-      compare_components(mesh, contour, voxels, surface, options.position_error, options.components,
-                         options.threads, result.faults);
+  const ExactSurface exact{surface, contour, voxels};
+  const ComparedComponents compared = compare_components(
+      mesh, exact, options.position_error, options.components, options.threads, result.faults);
   result.exact = contour.summary.topology();
   result.equal_components = compared.equal;
   result.left_out = static_cast<std::uint64_t>(std::ranges::count(compared.kept, 0));
-  const std::vector<std::uint8_t> on_surface = check_vertices_on_surface(
-      mesh, compared, tree, contour, voxels, surface, options.threads, result);
+  const std::vector<std::uint8_t> on_surface =
+      check_vertices_on_surface(mesh, compared, tree, exact, options.threads, result);
   if (options.most_over_limit < 1) {
-    check_triangles_on_surface(mesh, off, on_surface, contour, voxels, surface, result);
+    check_triangles_on_surface(mesh, off, on_surface, exact, result);
   }
   keep_components(contour, compared.kept);
   return std::move(contour.points);

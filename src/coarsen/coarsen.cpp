@@ -19,18 +19,18 @@ constexpr std::uint32_t kSmallComponent = 24;
 // The bound on the distance where the criteria have none, in voxels.
 constexpr double kUsualBoundVoxels = 0.1;
 
-// Attempts. Each keeps the vertices near the faults of the one before; the last keeps all.
+// Attempts. Each keeps the vertices in the voxels of the facets at fault in the one before, and of
+// its faulty components; the last keeps all.
 constexpr int kMostAttempts = 6;
 
-// Marks the vertices in the voxels that faulty facets of `mesh` meet, and of faulty components.
-void keep_near(const EmbeddingFaults& faults, const TriMesh& mesh, const MeshComponents& components,
-               const TriMesh& before, const Volume& volume, std::vector<std::uint8_t>& kept) {
+// Returns per voxel whether one of the facets meets it. Empty if there are none.
+std::vector<std::uint8_t> voxels_at(std::span<const FaceId> facets, const TriMesh& mesh,
+                                    const Volume& volume) {
   constexpr double kMarginVoxels = 0.1;
   const Vec3 margin = kMarginVoxels * volume.spacing();
   const auto number = [&](Index3 at) { return voxel_number(volume.dims(), at); };
-  std::vector<std::uint8_t> is_marked(faults.facets.empty() ? 0
-                                                            : number({0, 0, volume.voxels().k}));
-  for (const FaceId f : faults.facets) {
+  std::vector<std::uint8_t> is_marked(facets.empty() ? 0 : number({0, 0, volume.voxels().k}));
+  for (const FaceId f : facets) {
     const Triangle& t = mesh.faces[f].v;
     const Box3 box = box_of(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
     const Index3 lo = volume.voxel_at(box.lo - margin), hi = volume.voxel_at(box.hi + margin);
@@ -40,13 +40,7 @@ void keep_near(const EmbeddingFaults& faults, const TriMesh& mesh, const MeshCom
       }
     }
   }
-  std::vector<std::uint8_t> is_faulty(components.count(), 0);
-  for (const std::uint32_t c : faults.components) is_faulty[c] = 1;
-  for (VertexId v = 0; v < kept.size(); ++v) {
-    kept[v.number()] |= is_faulty[components.of[v]];
-    if (is_marked.empty()) continue;
-    kept[v.number()] |= is_marked[number(volume.voxel_at(before.points[v]))];
-  }
+  return is_marked;
 }
 
 // Marks the vertices of small components that do not go on beyond the free box.
@@ -72,9 +66,17 @@ std::vector<std::uint8_t> attempts(SurfaceMesh& s, const Given& given, double di
         embedding_faults(s, components, changed, scope.free_box, volume.box());
     if (faults.none()) return changed;
     ++given.report[Counter::coarsened_again];
-    keep_near(faults, s.mesh, components, before, volume, kept);
+    const std::vector<std::uint8_t> faulty_voxels = voxels_at(faults.facets, s.mesh, volume);
+    std::vector<std::uint8_t> is_faulty(components.count(), 0);
+    for (const std::uint32_t c : faults.components) is_faulty[c] = 1;
     s.mesh = before;
     s.chain = chain;
+    for (VertexId v = 0; v < kept.size(); ++v) {
+      kept[v.number()] |= is_faulty[components.of[v]];
+      if (faulty_voxels.empty()) continue;
+      const Index3 voxel = volume.voxel_at(before.points[v]);
+      kept[v.number()] |= faulty_voxels[voxel_number(volume.dims(), voxel)];
+    }
   }
   return std::vector<std::uint8_t>(s.mesh.faces.size(), 0);
 }
