@@ -164,6 +164,7 @@ class Stage {
         r(surface_mesh, {of.surface, curves, parameters, report}),
         kinds_(kinds_of(mesh)),
         turned_out_(turned_out(mesh)) {
+    report.add(coarsened.report);
     const ValueRange range = value_range(scene.volume);
     tolerance_ = 1e-8 * (range.max - range.min);
     // Refinement may have moved vertices off Sigma where the mesh was too near to itself.
