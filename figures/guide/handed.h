@@ -41,7 +41,6 @@ struct Handed {
     options.stop_after_stage1 = true;
     return mesh_in_blocks({source, kappa, options, parameters}, {}, {});
   }
-
 };
 
 }  // namespace deliso::guide

@@ -89,7 +89,7 @@ std::vector<std::uint8_t> chosen_components(const ContourSummary& summary,
 struct ContourBoundary {
   BoundaryLoops loops;
   std::vector<std::vector<ContourId>> vertices;  // per loop: those at its points
-  std::vector<std::uint32_t> component;         // per loop
+  std::vector<std::uint32_t> component;          // per loop
 
   std::size_t size() const { return component.size(); }
   friend bool operator==(const ContourBoundary&, const ContourBoundary&) = default;

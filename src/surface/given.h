@@ -2,9 +2,9 @@
 #pragma once
 
 #include "isosurface/isosurface.h"
-#include "surface/boundary.h"
 #include "run/parameters.h"
 #include "run/report.h"
+#include "surface/boundary.h"
 
 namespace deliso {
 
