@@ -9,6 +9,7 @@
 #include "contour/contour.h"
 #include "io/volume/builtin_volume.h"
 #include "run/options.h"
+#include "surface/given.h"
 
 namespace deliso::guide {
 
