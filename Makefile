@@ -118,6 +118,7 @@ quality:
 
 # The table of docs/decisions.md: what the meshes of five volumes are worth without each mechanism that
 # a record there defends, or with another constant; all, or those named in ONLY. Minutes for each.
+# Without the volumes in DATA built-in fields stand in, and the rows of volumes go from the table.
 .PHONY: switches
 switches:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=ON >/dev/null
