@@ -66,8 +66,8 @@ MergeShape shape_after_merge(const Refinement& r, std::span<const FaceId> star, 
   return after;
 }
 
-// A pass performs one of so many merges that it picks, the cheapest. With 1, mean distances are up
-// to 1 % larger; with 10, up to 1 % less, in more passes.
+// A pass performs the cheapest of the merges that it picks: all, divided by this. With 1, mean
+// distances are up to 1 % larger; with 10, up to 1 % less, in more passes.
 constexpr std::size_t kShare = 3;
 
 class Coarsening {

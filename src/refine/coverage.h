@@ -13,7 +13,7 @@
 namespace deliso {
 
 // Largest distance from a reference sample to the mesh, in bounds on h. With 1, meshes have 40 %
-// more vertices (docs/decisions.md).
+// more vertices.
 inline constexpr double kCoverageDistances = 2;
 
 // A sample too far from the mesh, and its nearest facet.
