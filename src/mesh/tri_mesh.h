@@ -50,6 +50,8 @@ struct TriMesh {
   // Returns the points in the world, as mesh files have them.
   std::vector<Vec3> world_points() const;
   std::vector<Triangle> triangles() const;
+  // Returns for each vertex whether it is a corner of a live facet.
+  IdArray<VertexId, std::uint8_t> used_vertices() const;
 };
 
 // Returns the index of the corner of f opposite its neighbor g: f.n[i] == g. pre: they are

@@ -58,6 +58,9 @@ class Certificate {
   };
   // Counts the region, sets interfaces_ and `facets`.
   Region count_region(SiteId a, ContourId at, std::vector<DualFacet>& facets);
+  // Count the edges and triangles at v, and the boundary edges, in the region and its interfaces.
+  void count_triangles(SiteId a, ContourId v, Region& r, std::vector<DualFacet>& facets);
+  void count_boundary(SiteId a, ContourId v, Region& r);
   Interface& interface_with(SiteId site) {
     for (Interface& known : interfaces_) {
       if (known.site == site) return known;

@@ -55,12 +55,9 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Given& given, const Free
   facets_.expect(mesh.faces.size());
   vertices_.expect(mesh.points.size());
   DisjointSets joined(mesh.faces.size());
-  std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
-    const Triangle& v = mesh.faces[f].v;
     if (is_dead(mesh.faces[f])) continue;
-    facets_.add(f, facets_.box_of(mesh.points, v));
-    for (const VertexId q : v) is_used[q] = 1;
+    facets_.add(f, facets_.box_of(mesh.points, mesh.faces[f].v));
     for (const FaceId g : mesh.faces[f].n) {
       if (g < f) joined.unite(f.number(), g.number());
     }
@@ -70,6 +67,7 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Given& given, const Free
     component_size_.resize(std::max<std::size_t>(component_size_.size(), component + 1));
     ++component_size_[component];
   }
+  const IdArray<VertexId, std::uint8_t> is_used = mesh.used_vertices();
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
     if (is_used[v]) vertices_.add(v, vertices_.box_of(point(v)));
   }
@@ -145,10 +143,15 @@ void Refinement::undo(const Replacement& c) {
 }
 
 void Refinement::commit(Replacement& c) {
+  commit_vertices(c);
+  commit_facets(c);
+  link_across(c);
+  ++c.cavity.number_;  // its facets are gone
+}
+
+void Refinement::commit_vertices(const Replacement& c) {
   const Disk &was = c.cavity.disk, &in = c.in();
-  const std::vector<FaceId>& removed = c.cavity.facets;
   const VertexId vertex = c.proposal.vertex;
-  for (const FaceId f : removed) facets_.remove(f);
   if (c.moves()) vertices_.remove(vertex);
   if (c.proposal.what != Proposal::Vertex::none) {
     vertices_.add(vertex, vertices_.box_of(point(vertex)));
@@ -165,6 +168,12 @@ void Refinement::commit(Replacement& c) {
   if (const auto& split = c.proposal.split) {
     s.chain.insert_after(split->before, vertex, split->place);
   }
+}
+
+void Refinement::commit_facets(Replacement& c) {
+  const Disk& in = c.in();
+  const std::vector<FaceId>& removed = c.cavity.facets;
+  for (const FaceId f : removed) facets_.remove(f);
   c.created.clear();
   for (std::size_t k = 0; k < in.facets.size(); ++k) {
     c.created.push_back(k < removed.size() ? removed[k] : FaceId(mesh.faces.size()));
@@ -187,6 +196,10 @@ void Refinement::commit(Replacement& c) {
     s.duals[c.created[k]] = c.duals[k];
     facets_.add(c.created[k], crossing_.boxes()[k]);
   }
+}
+
+void Refinement::link_across(const Replacement& c) {
+  const Disk& in = c.in();
   const std::vector<FaceId>& across = c.across();
   for (std::size_t k = 0; k < in.boundary.size(); ++k) {
     if (across[k] == kNoId) continue;
@@ -199,7 +212,6 @@ void Refinement::commit(Replacement& c) {
       }
     }
   }
-  ++c.cavity.number_;  // its facets are gone
 }
 
 std::optional<Refusal> Refinement::done(Operation operation, std::optional<Refusal> refusal) {
