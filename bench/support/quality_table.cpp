@@ -200,15 +200,15 @@ class SwitchRow {
   std::vector<std::string> cells() const {
     const std::string name = build_ == base_ ? "(none)" : build_.substr(0, build_.rfind('.'));
     std::vector<std::string> row{options_.empty() ? name : name + " " + options_};
-    std::string pays;
+    bool pays = false;
     for (const SwitchMeasure& measure : kSwitchMeasures) {
       const std::size_t worse = volumes_with(Verdict::worse, measure);
       const std::size_t better = volumes_with(Verdict::better, measure);
       row.push_back(number_cell(total(measure), measure.decimals) +
                     (better > 0 ? text(" +", better) : "") + (worse > 0 ? text(" !", worse) : ""));
-      if (worse >= kPaysOn) pays += text(pays.empty() ? "yes: " : ", ", measure.heading);
+      pays |= worse >= kPaysOn;
     }
-    row.push_back(build_ == base_ ? "" : pays.empty() ? "no" : pays);
+    row.push_back(build_ == base_ ? "" : pays ? "yes" : "no");
     return row;
   }
 

@@ -28,7 +28,7 @@ names {
   count = split($0, word, "`")
   for (n = 2; n <= count; n += 2) {
     if (!(word[n] in record)) wrong("\"" title "\": there is no switch " word[n])
-    if (record[word[n]] == title) named[word[n]] = 1
+    else if (record[word[n]] == title) named[word[n]] = 1
   }
 }
 /^<!-- switches -->$/, /^<!-- end of switches -->$/ {

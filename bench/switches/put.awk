@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Puts the rows of a printed table into the table of a page, between its marks, with the day. Rows with
-# the name of a new one go, and all if they were measured on other volumes. The rows are in the order
-# of their names.
+# Puts the rows of a printed table into the table of a page, between its marks. Rows with the name of a
+# new one go, and all if they were measured on other volumes. The rows are in the order of their names.
 # Usage: awk -v on='VOLUMES' -v day=YYYY-MM-DD -f put.awk PRINTED.md PAGE.md (prints the new page)
 
 function name_of(row) {
@@ -13,7 +12,7 @@ function put(row) {
   rows[name] = row
 }
 function print_table(   n, m, name) {
-  print "Measured on " on ".\n\n" heading "\n" ruler
+  print "Measured on " on "; the last on " day ".\n\n" heading "\n" ruler
   for (n = 2; n <= count; n++) {
     name = names[n]
     for (m = n; m > 1 && names[m - 1] > name; m--) names[m] = names[m - 1]
@@ -22,12 +21,12 @@ function print_table(   n, m, name) {
   for (n = 1; n <= count; n++) print rows[names[n]]
 }
 FNR == NR { gsub(/ +/, " ") }
-FNR == NR && /^\| switch / { heading = $0 " day |" }
-FNR == NR && /^\| -/ { gsub(/-+/, "---"); ruler = $0 " --- |" }
-FNR == NR && /^\| [a-z(]/ && !/^\| switch / { new[name_of($0)] = $0 " " day " |" }
+FNR == NR && /^\| switch / { heading = $0 }
+FNR == NR && /^\| -/ { gsub(/-+/, "---"); ruler = $0 }
+FNR == NR && /^\| [a-z(]/ && !/^\| switch / { new[name_of($0)] = $0 }
 FNR == NR { next }
 /^<!-- switches -->$/ { inside = 1 }
-inside && /^Measured on / { is_same = $0 == "Measured on " on "." }
+inside && /^Measured on / { is_same = index($0, "Measured on " on ";") == 1 }
 inside && is_same && /^\| [a-z(]/ && !/^\| switch / { put($0) }
 /^<!-- end of switches -->$/ {
   for (name in new) put(new[name])

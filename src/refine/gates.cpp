@@ -14,8 +14,7 @@ namespace {
 constexpr std::size_t kMaxSmallComponent = 12;
 
 // G4, in bounds on the distance: the largest distance from a removed vertex to the new facets. It
-// keeps protrusions that Stage 1 left and the search for far samples found. On ANEURISM 99.9 % of
-// Sigma lies within 0.25 voxel of the mesh, without the test within 0.7.
+// keeps protrusions that Stage 1 left and the search for far samples found.
 constexpr double kMaxRemovedDistances = 2;
 
 }  // namespace

@@ -31,8 +31,7 @@ constexpr std::array<Direction, 8> kDirections{{{1, 0},
 constexpr double kMinCostFall = 0.05;
 
 // Most moves tried for a vertex. Near flips and insertions raise the cost again, so moves would not
-// end. With 12 as many facets stay bad as without a limit; with 8, up to a sixth more. Measured on
-// TOOTH, ANEURISM, BABY and LEG, three seeds each.
+// end. With 12 as many facets stay bad as without a limit (docs/decisions.md).
 constexpr std::uint8_t kMaxTries = 12;
 
 // Cost of a facet that is not Delaunay, added to the violation of a bad one.
