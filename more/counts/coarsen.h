@@ -30,6 +30,11 @@ namespace deliso {
 std::size_t coarsen(Refinement& r, std::size_t vertices,
                     std::size_t triangles = std::numeric_limits<std::size_t>::max());
 
+// Returns how far the sample is from the mesh that is furthest from it. `resolution`: where the
+// search for a nearest facet begins, about as large as most distances.
+double furthest_distance(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
+                         double resolution);
+
 // Coarsens the mesh to the desired numbers of the options, without a bound on the distance, and
 // keeps facets apart (refine/separate.h). Sets report.max_distance to the distance of the sample
 // that is furthest from the mesh then.

@@ -66,6 +66,11 @@ inline int corner_index(const Face& f, VertexId v) {
   return static_cast<int>(f.v[1] == v) | static_cast<int>(f.v[2] == v) << 1;
 }
 
+// Returns the neighbor of f across its edge that ends in its corner v.
+inline FaceId& neighbor_at_edge_to(Face& f, VertexId v) {
+  return f.n[(corner_index(f, v) + 1) % 3];
+}
+
 template <class Id>
 bool has_corner(const std::array<Id, 3>& t, Id v) {
   return t[0] == v || t[1] == v || t[2] == v;

@@ -39,8 +39,7 @@ Certificate::Region Certificate::count_region(SiteId a, ContourId at,
       count += visited[u] != now;
       visited[u] = now;
     }
-    count_triangles(a, v, r, facets);
-    if (labels_.contour().on_boundary(v)) count_boundary(a, v, r);
+    count_at(a, v, r, facets);
   }
   // An inner edge is met from both ends, a triangle once from each of its vertices in the region.
   r.V = static_cast<long>(count);
@@ -49,11 +48,11 @@ Certificate::Region Certificate::count_region(SiteId a, ContourId at,
   return r;
 }
 
-void Certificate::count_triangles(SiteId a, ContourId v, Region& r,
-                                  std::vector<DualFacet>& facets) {
+void Certificate::count_at(SiteId a, ContourId v, Region& r, std::vector<DualFacet>& facets) {
   const IdArray<ContourId, SiteId>& label = labels_.all();
   const std::span<const ContourId> ring = labels_.ring(v);
-  const std::size_t triangles = ring.size() - labels_.contour().on_boundary(v);
+  const bool on_boundary = labels_.contour().on_boundary(v);
+  const std::size_t triangles = ring.size() - on_boundary;
   for (std::size_t n = 0; n < triangles; ++n) {  // the edge (v, u), the triangle (v, u, w)
     const ContourId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
     const SiteId b = label[u], c = label[w];
@@ -70,13 +69,10 @@ void Certificate::count_triangles(SiteId a, ContourId v, Region& r,
       facets.push_back({{a, b, c}, {v, u, w}});
     }
   }
-}
-
-void Certificate::count_boundary(SiteId a, ContourId v, Region& r) {
-  const std::span<const ContourId> ring = labels_.ring(v);
-  const SiteId before = labels_.label(ring.back()), next = labels_.label(ring.front());
+  if (!on_boundary) return;
   ++r.boundary_V;
   // A boundary edge has only one direction, from the previous vertex to v.
+  const SiteId before = label[ring.back()], next = label[ring.front()];
   if (before == a) {
     ++r.boundary_E;
   } else {

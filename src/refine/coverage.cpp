@@ -86,15 +86,15 @@ void remove_covered(const TriMesh& mesh, const BoxGrid& grid, std::span<const Ve
   std::erase_if(numbers, [&](std::uint32_t n) { return cells.was_removed(n); });
 }
 
+}  // namespace
+
 double distance2_to_facet(const TriMesh& mesh, FaceId f, const Vec3& p) {
   const Triangle& v = mesh.faces[f].v;
   return distance2_to_triangle(p, mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
 }
 
-// Returns the facet nearest to a sample at p, found in growing balls, the first of this radius;
-// kNoId if all are very far.
-FarSample nearest(const TriMesh& mesh, const BoxGrid& grid, std::uint32_t sample, const Vec3& p,
-                  double radius) {
+FarSample nearest_facet(const TriMesh& mesh, const BoxGrid& grid, std::uint32_t sample,
+                        const Vec3& p, double radius) {
   FarSample at{sample, kNoId, 0};
   for (int doublings = 0; at.facet == kNoId && doublings < 32; ++doublings, radius *= 2) {
     at.distance2 = radius * radius;
@@ -107,8 +107,6 @@ FarSample nearest(const TriMesh& mesh, const BoxGrid& grid, std::uint32_t sample
   return at;
 }
 
-}  // namespace
-
 std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
                                 std::span<const Vec3> samples, double limit,
                                 std::vector<std::uint32_t>& numbers) {
@@ -116,7 +114,7 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
   // The first time, when none was held against the mesh.
   if (numbers.size() == samples.size()) remove_covered(mesh, grid, samples, limit, numbers);
   std::erase_if(numbers, [&](std::uint32_t n) {
-    const FarSample at = nearest(mesh, grid, n, samples[n], limit);
+    const FarSample at = nearest_facet(mesh, grid, n, samples[n], limit);
     if (at.facet == kNoId) return false;
     if (at.distance2 <= limit * limit) return true;
     far.push_back(at);
@@ -130,19 +128,6 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
   far.erase(std::unique(far.begin(), far.end(), of_one_facet), far.end());
   std::ranges::sort(far, {}, [](const FarSample& a) { return std::tuple(-a.distance2, a.sample); });
   return far;
-}
-
-double furthest_distance(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
-                         double resolution) {
-  double furthest = 0;
-  FaceId last = kNoId;  // the facet near a sample is often near the next one, too
-  for (const Vec3& p : samples) {
-    if (last != kNoId && distance2_to_facet(mesh, last, p) <= furthest * furthest) continue;
-    const FarSample at = nearest(mesh, grid, 0, p, std::max(furthest, resolution));
-    furthest = std::max(furthest, std::sqrt(at.distance2));
-    last = at.facet;
-  }
-  return furthest;
 }
 
 }  // namespace deliso

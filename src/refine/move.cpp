@@ -90,7 +90,6 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   if (r.moves[v].are_vain) return Refusal::no_gain;
   const Cavity* cavity = r.open(r.star(f, v));
   if (!cavity) return Refusal::not_a_disk;
-
   Vec3 normal;
   double here = 0;
   for (const FaceId g : cavity->facets) {

@@ -145,7 +145,6 @@ void Refinement::undo(const Replacement& c) {
 void Refinement::commit(Replacement& c) {
   commit_vertices(c);
   commit_facets(c);
-  link_across(c);
   ++c.cavity.number_;  // its facets are gone
 }
 
@@ -173,7 +172,10 @@ void Refinement::commit_vertices(const Replacement& c) {
 void Refinement::commit_facets(Replacement& c) {
   const Disk& in = c.in();
   const std::vector<FaceId>& removed = c.cavity.facets;
-  for (const FaceId f : removed) facets_.remove(f);
+  for (const FaceId f : removed) {
+    facets_.remove(f);
+    mesh.faces[f] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
+  }
   c.created.clear();
   for (std::size_t k = 0; k < in.facets.size(); ++k) {
     c.created.push_back(k < removed.size() ? removed[k] : FaceId(mesh.faces.size()));
@@ -183,9 +185,6 @@ void Refinement::commit_facets(Replacement& c) {
   const std::uint32_t component = component_[removed[0]];
   component_.resize(mesh.faces.size(), component);
   component_size_[component] += static_cast<std::uint32_t>(in.facets.size() - removed.size());
-  for (std::size_t k = in.facets.size(); k < removed.size(); ++k) {
-    mesh.faces[removed[k]] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
-  }
   for (std::size_t k = 0; k < in.facets.size(); ++k) {
     Face& face = mesh.faces[c.created[k]];
     face.v = in.facets[k];
@@ -196,21 +195,12 @@ void Refinement::commit_facets(Replacement& c) {
     s.duals[c.created[k]] = c.duals[k];
     facets_.add(c.created[k], crossing_.boxes()[k]);
   }
-}
-
-void Refinement::link_across(const Replacement& c) {
-  const Disk& in = c.in();
   const std::vector<FaceId>& across = c.across();
   for (std::size_t k = 0; k < in.boundary.size(); ++k) {
     if (across[k] == kNoId) continue;
     const Disk::BoundaryEdge& edge = in.boundary[k];
     mesh.faces[c.created[edge.facet]].n[edge.side] = across[k];
-    Face& outside = mesh.faces[across[k]];
-    for (int i = 0; i < 3; ++i) {
-      if (outside.v[(i + 1) % 3] == edge.to && outside.v[(i + 2) % 3] == edge.from) {
-        outside.n[i] = c.created[edge.facet];
-      }
-    }
+    neighbor_at_edge_to(mesh.faces[across[k]], edge.from) = c.created[edge.facet];
   }
 }
 

@@ -128,11 +128,10 @@ class Refinement {
   bool leaves_free_box(const Replacement& c) const;  // G0
   void put_in_place(const Replacement& c);
   void undo(const Replacement& c);
-  // Puts the new disk into the mesh, the chain and the hashes, in three steps.
+  // Puts the new disk into the mesh, the chain and the hashes, in two steps.
   void commit(Replacement& c);
   void commit_vertices(const Replacement& c);
   void commit_facets(Replacement& c);
-  void link_across(const Replacement& c);
 
   // refine/gates.cpp
   std::optional<Refusal> test_shape(Replacement& c);  // G1, and G2: folds(), reverses()
