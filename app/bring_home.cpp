@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "base/to_float.h"
 #include "delaunay/predicates.h"
+#include "io/mesh/to_float.h"
 
 namespace deliso {
 

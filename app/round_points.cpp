@@ -7,8 +7,8 @@
 
 #include "base/box3.h"
 #include "base/sorted_list.h"
-#include "base/to_float.h"
 #include "check/place_faults.h"
+#include "io/mesh/to_float.h"
 
 namespace deliso {
 namespace {

@@ -117,7 +117,7 @@ class LinesThrough {
         corner_(corner),
         patch_(surface, p),
         near_(std::min({bound, limit / 8, surface.volume().voxel()})),
-        steep_(patch_.distance_along(patch_.gradient(), limit, counters_)),
+        steep_(std::fabs(patch_.parameter_along(patch_.gradient(), limit, counters_))),
         limit_(std::min(limit, steep_)) {}
 
   // Returns the distance that a triangle of this normal has here. `others`: more corners.
@@ -141,7 +141,7 @@ class LinesThrough {
 
  private:
   double along(const Vec3& direction, double limit) {
-    return patch_.distance_along(direction, limit, counters_);
+    return std::fabs(patch_.parameter_along(direction, limit, counters_));
   }
 
   SearchCounters counters_;
@@ -255,7 +255,7 @@ double distance_off_surface(const Vec3& p, const Isosurface& surface, double tol
   const PatchAt patch(surface, p);
   double d = limit;
   for (const Vec3& direction : {gradient, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-    d = std::min(d, patch.distance_along(direction, d, counters));
+    d = std::min(d, std::fabs(patch.parameter_along(direction, d, counters)));
   }
   return d <= tolerance ? 0 : d;
 }

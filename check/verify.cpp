@@ -224,7 +224,7 @@ double sharper_distance(const Vec3& p, double d, const ExactSurface& exact) {
   const PatchAt patch(exact.surface, p);
   exact.voxels.for_each_triangle_around(p, [&](std::uint32_t n) {
     for (const ContourId v : exact.contour.triangles[n]) {
-      d = std::min(d, patch.distance_along(exact.contour.points[v] - p, d, counters));
+      d = std::min(d, std::fabs(patch.parameter_along(exact.contour.points[v] - p, d, counters)));
     }
   });
   return d;

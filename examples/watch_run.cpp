@@ -15,7 +15,7 @@
 #include "deliso/base/check.h"
 #include "deliso/io/volume/read_volume.h"
 #include "deliso/more/mesh_isosurface.h"
-#include "deliso/surface/criteria.h"
+#include "deliso/run/criteria.h"
 #include "deliso/surface/report.h"
 #include "deliso/view/trace/recorder.h"
 #include "deliso/view/trace/trace_names.h"

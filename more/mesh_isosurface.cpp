@@ -40,6 +40,11 @@ std::optional<Dissolved> dissolved(const RunInput& run) {
   return dissolve_others(all_of(run.source), run.kappa, run.options.components);
 }
 
+// True if the mesh gets a number of vertices or triangles. The coarsened contour has its own.
+bool meets_count(const Options& options) {
+  return options.has_target() && !options.stop_after_stage1;
+}
+
 // Does what only the whole mesh can have done: topology, counts and caps.
 TriMesh finish(Block whole, const RunInput& run, const std::optional<Dissolved>& solid,
                Report& report) {
@@ -47,10 +52,10 @@ TriMesh finish(Block whole, const RunInput& run, const std::optional<Dissolved>&
   const Parameters& parameters = run.parameters;
   report.add(whole.report);
   std::optional<BoxSurface> at;
-  if (options.cap || options.has_target()) at.emplace(all_of(run.source), run.kappa);
+  if (options.cap || meets_count(options)) at.emplace(all_of(run.source), run.kappa);
   report.exact = joined(whole.components, run.source.shape.dims()).topology;
   count_unrefined(whole.mesh, parameters, report);
-  if (options.has_target() && !options.stop_after_stage1) {
+  if (meets_count(options)) {
     coarsen_to_target(whole.mesh, whole.samples, options,
                       {at->surface, {at->surface, whole.loops}, parameters, report});
   }
@@ -84,7 +89,7 @@ TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& op
   const Parameters parameters = checked_parameters(volume, isovalue, options, report);
   const RunInput run{source, report.kappa_effective, options, parameters};
   const auto solid = dissolved(run);
-  Block whole = options.has_target() ? mesh_near_count(run, kept_by(solid))
+  Block whole = meets_count(options) ? mesh_near_count(run, kept_by(solid))
                                      : mesh_in_blocks(run, {}, kept_by(solid));
   return finish(std::move(whole), run, solid, report);
 }

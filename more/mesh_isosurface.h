@@ -14,15 +14,17 @@
 
 namespace deliso {
 
-// Returns the mesh of {g = kappa} in the scaled frame, with the frame of the volume. Facets are
-// counter-clockwise seen from g < kappa. The mesh is empty if no voxel holds the isovalue. With
-// options.cap the caps follow the surface, from report.cap.surface_triangles on; they may be a
-// whole box. Throws InputError for a volume without a voxel, beyond the limits of options.h and
-// beyond --max-vertices. pre: all samples are finite (value_range() was called).
-TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& options, Report& report);
+// Returns the mesh of {g = kappa} in the scaled frame, with the frame of the volume. kappa is
+// geometric_isovalue(). Facets are counter-clockwise seen from g < kappa. The mesh is empty if no
+// voxel holds the isovalue. With options.cap the caps follow the surface, from
+// report.cap.surface_triangles on; they may be a whole box. Throws InputError for a volume without
+// a voxel, beyond the limits of run/options.h and beyond --max-vertices. pre: all samples are
+// finite (value_range() was called).
+TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& options,
+                        Report& report);
 
 // The same without a report. Throws InputError for a NaN or infinite sample, too.
-TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& options = {});
+TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& options = {});
 
 // A volume meshed in parts, by several processes that share nothing. The mesh of all parts is that
 // of mesh_isosurface(), to the last bit.

@@ -31,7 +31,7 @@ names {
     else if (record[word[n]] == title) named[word[n]] = 1
   }
 }
-/^<!-- switches -->$/, /^<!-- end of switches -->$/ {
+/^<!--switches-->$/, /^<!--end of switches-->$/ {
   if (!/^\| [a-z(]/ || $2 == "switch" || $2 == "(none)") next
   row[$2] = 1
   if (!($2 in record)) wrong("the table has a row " $2 ", and there is no such switch")

@@ -25,10 +25,10 @@ FNR == NR && /^\| switch / { heading = $0 }
 FNR == NR && /^\| -/ { gsub(/-+/, "---"); ruler = $0 }
 FNR == NR && /^\| [a-z(]/ && !/^\| switch / { new[name_of($0)] = $0 }
 FNR == NR { next }
-/^<!-- switches -->$/ { inside = 1 }
+/^<!--switches-->$/ { inside = 1 }
 inside && /^Measured on / { is_same = index($0, "Measured on " on ";") == 1 }
 inside && is_same && /^\| [a-z(]/ && !/^\| switch / { put($0) }
-/^<!-- end of switches -->$/ {
+/^<!--end of switches-->$/ {
   for (name in new) put(new[name])
   print_table()
   inside = 0

@@ -12,8 +12,8 @@
 #include "base/box3.h"
 #include "base/check.h"
 #include "base/text.h"
-#include "base/to_float.h"
 #include "io/mesh/mesh_formats.h"
+#include "io/mesh/to_float.h"
 
 namespace deliso {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "base/check.h"
 #include "base/text.h"
-#include "base/to_float.h"
 #include "io/files/text_scan.h"
 #include "io/mesh/mesh_formats.h"
+#include "io/mesh/to_float.h"
 
 namespace deliso {
 namespace {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Coarsens a mesh to a number of vertices or triangles. A vertex is merged into a neighbor, so all
-// vertices stay on Sigma. Each removal is an operation of Stage 2 and passes its tests G1 to G5, so
-// the topology stays, and no two facets cross.
+// Coarsens a mesh to a number of vertices or triangles; src/coarsen is another thing, Stage 1. A
+// vertex is merged into a neighbor, so all vertices stay on Sigma. Each removal is an operation of
+// Stage 2 and passes its gates, so the topology stays, and no two facets cross. Where no other
+// removal is left, bad shapes are allowed first, then facets without a surface point (G3).
 //
 // Passes of four phases: pick the cheapest merge of each vertex; take the cheapest of them all;
 // sort these; perform them. A vertex whose facets changed in a pass waits for the next one.
@@ -23,14 +24,20 @@
 namespace deliso {
 
 // Removes vertices until no more than `vertices` and `triangles` are left, or until no removal
-// passes the tests. A finite bound on the distance is kept, by G4: it may leave many more vertices.
-// Returns how many vertices are left. A removal takes away two triangles, or one
-// on the boundary, so one triangle less than asked for may be left. pre: every vertex has a facet.
+// passes the gates. A finite bound on the distance is kept, by G4: it may leave many more vertices.
+// Returns how many vertices are left. A removal takes away two triangles, or one on the boundary,
+// so one triangle less than asked for may be left. pre: every vertex has a facet.
 std::size_t coarsen(Refinement& r, std::size_t vertices,
                     std::size_t triangles = std::numeric_limits<std::size_t>::max());
 
-// Coarsens the mesh to the desired numbers of the options. Sets report.max_distance to
-// the distance of the sample that is furthest from the mesh then.
+// Returns how far the sample is from the mesh that is furthest from it. `resolution`: where the
+// search for a nearest facet begins, about as large as most distances.
+double furthest_distance(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
+                         double resolution);
+
+// Coarsens the mesh to the desired numbers of the options, without a bound on the distance, and
+// keeps facets apart (refine/separate.h). Sets report.max_distance to the distance of the sample
+// that is furthest from the mesh then.
 void coarsen_to_target(SurfaceMesh& mesh, std::span<const Vec3> samples, const Options& options,
                        const Given& given);
 

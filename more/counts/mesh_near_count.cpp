@@ -18,7 +18,7 @@ constexpr double kFirstDistanceVoxels = 0.05, kLargestDistanceVoxels = 2,
                  kSmallestDistanceVoxels = 2e-3;
 constexpr double kLeastGrowth = 1.2, kMostGrowth = 3, kLeastFall = 0.25, kMostFall = 0.7;
 
-// Returns the vertices or triangles, without those at seams: most of these will be thinned.
+// Returns the vertices or triangles, without those at seams: most of these will be removed.
 std::size_t counted(std::span<const Block> blocks, bool triangles) {
   std::size_t count = 0;
   for (const Block& block : blocks) {

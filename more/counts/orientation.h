@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Keeps the orientation of components, and the side on which each lies of every other, while
-// vertices are merged. Gate G2 tests components of few
-// facets only (refine/refinement.h), and a mesh may be coarsened to its last vertices.
+// vertices are merged. Gate G2 tests components of few facets only (refine/refinement.h), and a
+// mesh may be coarsened to its last vertices.
 //
 // Two quantities keep their signs: the volume that a closed component bounds, and the area that a
 // boundary loop encloses if it lies within one face of the box. Each is a sum over facets or edges,

@@ -28,8 +28,8 @@ struct Block {
   // Reference samples, vertices of T: those near inner faces; and, of a block that ended with Stage
   // 1, the others.
   std::vector<Vec3> samples_near_seams, samples;
-  // What is left to do at seams: nonzero for facets to refine, and vertices to remove. Both are
-  // empty until mark_seam_work().
+  // What is left to do at seams: nonzero for facets to refine, and for vertices with which
+  // coarsening begins. Both are empty until mark_seam_work().
   IdArray<FaceId, std::uint8_t> is_open;
   IdArray<VertexId, std::uint8_t> may_thin;
   Report report;

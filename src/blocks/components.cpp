@@ -2,8 +2,6 @@
 #include "blocks/components.h"
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
 
 #include "base/disjoint_sets.h"
 #include "mesh/first_at_place.h"
@@ -25,6 +23,49 @@ std::uint64_t loops_of(std::span<const BlockComponents> blocks) {
   for (std::uint32_t n = 0; n < ends.size(); ++n) arcs.unite(n / 2, first[n].number() / 2);
   for (std::uint32_t arc = 0; arc < ends.size() / 2; ++arc) loops += arcs.find(arc) == arc;
   return loops;
+}
+
+// A component of a block's contour.
+struct Piece {
+  std::uint64_t first_voxel;
+  std::uint32_t block, component;
+};
+
+// Returns the components of all blocks by first voxel. Those with the same one are of one block,
+// and stay in its order, which is that of the whole.
+std::vector<Piece> by_first_voxel(std::span<const BlockComponents> blocks, Index3 dims) {
+  std::vector<Piece> pieces;
+  for (std::uint32_t b = 0; b < blocks.size(); ++b) {
+    const std::vector<ContourComponent>& components = blocks[b].components;
+    for (std::uint32_t c = 0; c < components.size(); ++c) {
+      pieces.push_back({voxel_number(dims, components[c].first), b, c});
+    }
+  }
+  std::ranges::stable_sort(pieces, {}, &Piece::first_voxel);
+  return pieces;
+}
+
+// Unites pieces that have a crossing in common. Returns a piece for every time that a crossing was
+// counted before by another block. `number`: the pieces, per block and component.
+std::vector<std::uint32_t> unite_at_crossings(std::span<const BlockComponents> blocks,
+                                              std::span<const std::vector<std::uint32_t>> number,
+                                              DisjointSets& sets) {
+  std::vector<Vec3> crossings;          // of all blocks
+  std::vector<std::uint32_t> piece_at;  // of each crossing
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (const BlockComponents::Crossing& c : blocks[b].crossings) {
+      crossings.push_back(c.point);
+      piece_at.push_back(number[b][c.component]);
+    }
+  }
+  const std::vector<VertexId> first_at = first_at_place(crossings);
+  std::vector<std::uint32_t> repeats;
+  for (std::size_t n = 0; n < crossings.size(); ++n) {
+    if (first_at[n] == n) continue;
+    sets.unite(piece_at[first_at[n]], piece_at[n]);
+    repeats.push_back(piece_at[n]);
+  }
+  return repeats;
 }
 
 }  // namespace
@@ -65,75 +106,42 @@ BlockComponents components_of(const ContourMesh& contour, const Volume& block) {
 }
 
 AllComponents joined(std::span<const BlockComponents> blocks, Index3 dims) {
-  std::vector<ContourComponent> pieces;
-  std::vector<std::uint64_t> segments;
-  std::vector<Vec3> crossings;          // of all blocks
-  std::vector<std::uint32_t> piece_at;  // of each crossing
-  std::vector<std::uint32_t> first_piece;
-  for (const BlockComponents& block : blocks) {
-    const auto first = static_cast<std::uint32_t>(pieces.size());
-    first_piece.push_back(first);
-    pieces.insert(pieces.end(), block.components.begin(), block.components.end());
-    segments.insert(segments.end(), block.segments_on_inner.begin(), block.segments_on_inner.end());
-    for (const BlockComponents::Crossing& c : block.crossings) {
-      crossings.push_back(c.point);
-      piece_at.push_back(first + c.component);
-    }
+  // Pieces are numbered by first voxel, and sets by first piece. So components are, too.
+  const std::vector<Piece> pieces = by_first_voxel(blocks, dims);
+  AllComponents out;
+  for (const BlockComponents& block : blocks) out.number.emplace_back(block.components.size());
+  for (std::uint32_t n = 0; n < pieces.size(); ++n) {
+    out.number[pieces[n].block][pieces[n].component] = n;
   }
   DisjointSets sets(pieces.size());
-  const std::vector<VertexId> first_at = first_at_place(crossings);
-  for (std::size_t n = 0; n < crossings.size(); ++n) {
-    if (first_at[n] == n) continue;
-    sets.unite(piece_at[first_at[n]], piece_at[n]);
-    --pieces[piece_at[n]].crossings;  // counted by both
-    --pieces[piece_at[n]].euler;
-  }
-  // Segments were counted by both blocks, too; the first gives up its count in pairs below.
+  const std::vector<std::uint32_t> repeats = unite_at_crossings(blocks, out.number, sets);
   const std::vector<std::uint32_t> set = sets.take_numbers();
-  const std::size_t count = set.empty() ? 0 : 1 + *std::ranges::max_element(set);
-  std::vector<ContourComponent> all(count);
-  std::vector<std::uint64_t> twice(count, 0);
-  // The piece that visits the component's first voxel. Two components may have the same first
-  // voxel; then both pieces are of its block, which has them in the order of the whole.
-  std::vector<std::size_t> first_of(count, pieces.size());
-  for (std::size_t n = 0; n < pieces.size(); ++n) {
-    ContourComponent& into = all[set[n]];
-    const ContourComponent& piece = pieces[n];
-    twice[set[n]] += segments[n];
-    std::size_t& first = first_of[set[n]];
-    if (first == pieces.size()) {
-      first = n;
-      into = piece;
-      into.boundary_loops = 0;
-      continue;
+
+  std::vector<std::uint64_t> segments;  // on inner faces, per component
+  for (std::uint32_t n = 0; n < pieces.size(); ++n) {
+    const BlockComponents& block = blocks[pieces[n].block];
+    const ContourComponent& piece = block.components[pieces[n].component];
+    if (set[n] == out.components.size()) {
+      out.components.push_back(piece);
+      out.components.back().boundary_loops = 0;
+      segments.push_back(0);
+    } else {
+      out.components[set[n]].add(piece);
     }
-    into.add(piece);
-    if (voxel_number(dims, piece.first) < voxel_number(dims, into.first)) {
-      into.first = piece.first;
-      first = n;
-    }
+    segments[set[n]] += block.segments_on_inner[pieces[n].component];
+    out.number[pieces[n].block][pieces[n].component] = set[n];
   }
-  AllComponents out;
-  std::vector<std::uint32_t> order(count), place(count);
-  std::iota(order.begin(), order.end(), 0u);
-  std::ranges::sort(order, {}, [&](std::uint32_t c) {
-    return std::pair(voxel_number(dims, all[c].first), first_of[c]);
-  });
-  out.topology.components = count;
-  for (std::uint32_t n = 0; n < count; ++n) {
-    place[order[n]] = n;
-    ContourComponent& component = all[order[n]];
-    component.euler += static_cast<std::int64_t>(twice[order[n]] / 2);
-    out.topology.euler += component.euler;
-    out.components.push_back(component);
+  // Euler is V - E + F. Vertices and edges on inner faces count once.
+  for (const std::uint32_t n : repeats) {
+    --out.components[set[n]].crossings;
+    --out.components[set[n]].euler;
   }
+  for (std::size_t c = 0; c < out.components.size(); ++c) {
+    out.components[c].euler += static_cast<std::int64_t>(segments[c] / 2);  // two blocks had each
+    out.topology.euler += out.components[c].euler;
+  }
+  out.topology.components = out.components.size();
   out.topology.boundary_loops = loops_of(blocks);
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    std::vector<std::uint32_t>& numbers = out.number.emplace_back();
-    for (std::size_t c = 0; c < blocks[b].components.size(); ++c) {
-      numbers.push_back(place[set[first_piece[b] + c]]);
-    }
-  }
   return out;
 }
 

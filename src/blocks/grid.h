@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The grid of blocks: planes of samples cut a volume into boxes of voxels. It follows from the
-// volume and the desired side alone, never from threads, so that the mesh does not depend on them.
+// volume, the isovalue and the desired side, never from threads, so the mesh does not depend on
+// them.
 // Neighboring blocks share the plane of samples between them.
 #pragma once
 

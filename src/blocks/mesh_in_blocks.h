@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The one division: a volume is cut into blocks, each is meshed by itself, and the meshes are
-// welded. Only here do the stages meet threads. What is global happens before the blocks or after
-// them: chosen components, desired counts, the report's sums.
+// welded. Only in this folder do the stages meet threads. What is global happens before the blocks
+// or after them: chosen components, the report's sums. For a desired number of vertices
+// more/counts/mesh_near_count.h has the stages of all blocks made several times.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +20,8 @@ namespace deliso {
 // seconds. Larger ones have many blocks anyway.
 bool grid_follows_surface(const Volume& shape, const Options& options);
 
-// Returns the grid of blocks of a run by these options that is not one block. Reads the source if
-// the grid follows from it.
+// Returns the grid of blocks of a run by these options. (With an observer of insertions it is one
+// block instead.) Reads the source if the grid follows from it.
 BlockGrid block_grid(const VolumeSource& source, double isovalue, const Options& options);
 // Returns the grid of equal sides, which follows from the shape alone.
 BlockGrid block_grid(const Volume& shape, const Options& options);
@@ -32,7 +33,8 @@ class PartInBlocks {
   // decides. pre: the source can be read where the part is; everywhere, if components are chosen.
   PartInBlocks(const RunInput& run, PartChoice part, std::vector<std::uint8_t> kept);
 
-  // Meshes all blocks (mesh_block). Each run is one of the same source, isovalue and threads.
+  // Meshes all blocks (mesh_block). `run`, here and below: of the same source, isovalue and threads
+  // as the constructor's; options and parameters may differ.
   void mesh(const RunInput& run);
   // One of the stages once more, by other criteria.
   void coarsen(const RunInput& run);

@@ -24,11 +24,7 @@ IdArray<Id, T> in_order(const IdArray<Id, T>& old, const std::vector<Id>& order)
 
 std::vector<VertexId> vertex_order(const TriMesh& mesh, const BlockGrid& grid, const Volume& shape,
                                    int threads) {
-  IdArray<VertexId, std::uint8_t> is_used(mesh.points.size(), 0);
-  for (const Face& face : mesh.faces) {
-    if (is_dead(face)) continue;
-    for (const VertexId v : face.v) is_used[v] = 1;
-  }
+  const IdArray<VertexId, std::uint8_t> is_used = mesh.used_vertices();
   const Index3 cells = grid.cells();
   std::vector<std::vector<VertexId>> of_cell(std::size_t(cells.i) * cells.j * cells.k);
   for (VertexId v = 0; v < mesh.points.size(); ++v) {

@@ -11,35 +11,61 @@
 namespace deliso {
 namespace {
 
-// The places of some ids of the whole in a list of them.
+// The numbers of a patch's elements in it, by their ids in the whole.
 template <class Id>
-class PlacesIn {
+class NumbersIn {
  public:
-  explicit PlacesIn(std::span<const Id> list) {
-    for (std::size_t n = 0; n < list.size(); ++n) places_.emplace_back(list[n], Id(n));
-    std::ranges::sort(places_);
+  // The elements from `held` on are those in the patch's free box.
+  NumbersIn(std::span<const Id> ids, Id held, std::uint32_t place, Places<Id>& places)
+      : place_(place), places_(places) {
+    for (Id n = 0; n < held; ++n) outside_.emplace_back(ids[n], n);
+    std::ranges::sort(outside_);
+    for (Id n = held; n < ids.size(); ++n) places.number[ids[n]] = n;
   }
   // Returns kNoId if it is not there.
   Id operator[](Id in_whole) const {
-    const auto at = std::ranges::lower_bound(places_, in_whole, {}, &std::pair<Id, Id>::first);
-    return at != places_.end() && at->first == in_whole ? at->second : Id(kNoId);
+    if (places_.of[in_whole] == place_) return places_.number[in_whole];
+    const auto at = std::ranges::lower_bound(outside_, in_whole, {}, &std::pair<Id, Id>::first);
+    return at != outside_.end() && at->first == in_whole ? at->second : Id(kNoId);
   }
 
  private:
-  std::vector<std::pair<Id, Id>> places_;
+  std::vector<std::pair<Id, Id>> outside_;
+  std::uint32_t place_;
+  const Places<Id>& places_;
 };
+
+// Sets the patch's vertices, those of its facets.
+void list_vertices(const TriMesh& whole, MeshPatch& patch, Places<VertexId>& places) {
+  std::vector<VertexId>&outside = patch.vertices, held;
+  for (const FaceId f : patch.facets) {
+    for (const VertexId v : whole.faces[f].v) {
+      if (places.of[v] != patch.place) {
+        outside.push_back(v);
+      } else if (std::exchange(places.number[v], VertexId(0)) == kNoId) {
+        held.push_back(v);
+      }
+    }
+  }
+  sort_unique(outside);
+  const auto place = [&](VertexId v) { return std::pair(by_place(whole.points[v]), v.number()); };
+  std::ranges::sort(outside, {}, place);
+  std::ranges::sort(held, {}, place);
+  patch.first_held = VertexId(outside.size());
+  patch.vertices.insert(patch.vertices.end(), held.begin(), held.end());
+}
 
 // Returns for the elements of a patch, of which `ids` are those of the whole before, their ids in
 // the whole. New ones get those of removed ones, then ids from `size` on, which is increased.
-template <class Id, class IsUsed, class MayFree>
+template <class Id, class IsUsed>
 std::vector<Id> ids_in_whole(std::vector<Id> ids, std::size_t count, std::size_t& size,
-                             IsUsed&& is_used, MayFree&& may_free) {
+                             IsUsed&& is_used) {
   const std::size_t old = ids.size();
   ids.resize(count, kNoId);
   std::size_t spare = 0;
   for (std::size_t n = old; n < count; ++n) {
-    if (!is_used(n)) continue;
-    while (spare < old && (is_used(spare) || !may_free(spare))) ++spare;
+    if (!is_used(Id(n))) continue;
+    while (spare < old && is_used(Id(spare))) ++spare;
     ids[n] = spare < old ? ids[spare++] : Id(size++);
   }
   return ids;
@@ -55,126 +81,81 @@ void grow(Array& array, std::size_t size) {
 }  // namespace
 
 void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places) {
-  const auto holds = [&](VertexId v) { return places.of_vertex[v] == patch.place; };
-  std::vector<VertexId>& vertices = patch.vertices;
-  std::vector<VertexId> held;
-  for (const FaceId f : patch.facets) {
-    for (const VertexId v : whole.mesh.faces[f].v) {
-      if (!holds(v)) {
-        vertices.push_back(v);
-      } else if (std::exchange(places.vertex[v], VertexId(0)) == kNoId) {
-        held.push_back(v);
-      }
-    }
-  }
-  sort_unique(vertices);
-  const auto place = [&](VertexId v) {
-    return std::pair(by_place(whole.mesh.points[v]), v.number());
-  };
-  std::ranges::sort(vertices, {}, place);
-  std::ranges::sort(held, {}, place);
-  const PlacesIn<VertexId> outside(vertices);
-  patch.first_held = VertexId(vertices.size());
-  vertices.insert(vertices.end(), held.begin(), held.end());
-  for (VertexId v = patch.first_held; v < vertices.size(); ++v) places.vertex[vertices[v]] = v;
-  const auto local_vertex = [&](VertexId v) { return holds(v) ? places.vertex[v] : outside[v]; };
-
+  list_vertices(whole.mesh, patch, places.vertices);
+  const NumbersIn<VertexId> vertex(patch.vertices, patch.first_held, patch.place, places.vertices);
   IdArray<FaceId, Face> faces;
   faces.reserve(patch.facets.size());
   for (const FaceId f : patch.facets) {
     Face& face = faces.emplace_back(whole.mesh.faces[f]);
-    for (VertexId& v : face.v) v = local_vertex(v);
+    for (VertexId& v : face.v) v = vertex[v];
     turn(face);
   }
-  // A frozen facet has a vertex outside, so those come first.
-  std::vector<FaceId> facets;
   SurfaceMesh& s = patch.mesh;
+  std::vector<FaceId> facets;
   facets.reserve(faces.size());
   s.mesh.faces.reserve(faces.size());
   s.duals.reserve(faces.size());
-  patch.free_box.first_free = 0;
-  for (const FaceId n : facet_order(faces, vertices.size())) {
-    const FaceId f = patch.facets[n.number()], own(facets.size());
-    facets.push_back(f);
+  for (const FaceId n : facet_order(faces, patch.vertices.size())) {
+    facets.push_back(patch.facets[n]);
     s.mesh.faces.push_back(faces[n]);
-    s.duals.push_back(whole.duals[f]);
-    if (faces[n].v[0] < patch.first_held) {
-      ++patch.free_box.first_free;
-    } else {
-      places.facet[f] = own;
-    }
+    s.duals.push_back(whole.duals[facets.back()]);
+    // A frozen facet has a vertex outside, so those come first.
+    if (faces[n].v[0] < patch.first_held) patch.free_box.first_free = FaceId(facets.size());
   }
   patch.facets = std::move(facets);
-  const PlacesIn<FaceId> frozen(
-      std::span<const FaceId>(patch.facets).first(patch.free_box.first_free.number()));
-  for (const VertexId v : vertices) s.mesh.points.push_back(whole.mesh.points[v]);
+  const NumbersIn<FaceId> facet(patch.facets, patch.free_box.first_free, patch.place,
+                                places.facets);
   for (Face& face : s.mesh.faces) {
-    for (FaceId& g : face.n) {
-      if (g != kNoId) g = places.of_facet[g] == patch.place ? places.facet[g] : frozen[g];
-    }
+    for (FaceId& g : face.n) g = g == kNoId ? g : facet[g];
   }
-  // The ends of an open chain are their own neighbors.
-  const BoundaryChain& chain = whole.chain;
   for (VertexId v = 0; v < patch.vertices.size(); ++v) {
-    if (!chain.is_boundary(patch.vertices[v])) continue;
-    const auto beside = [&](VertexId in_whole) {
-      const VertexId u = local_vertex(in_whole);
-      return u == kNoId ? v : u;
-    };
-    s.chain.set(v, beside(chain.previous(patch.vertices[v])), beside(chain.next(patch.vertices[v])),
-                chain.place(patch.vertices[v]));
+    const VertexId in_whole = patch.vertices[v.number()];
+    s.mesh.points.push_back(whole.mesh.points[in_whole]);
+    if (!whole.chain.is_boundary(in_whole)) continue;
+    // The ends of an open chain are their own neighbors.
+    const VertexId previous = vertex[whole.chain.previous(in_whole)];
+    const VertexId next = vertex[whole.chain.next(in_whole)];
+    s.chain.set(v, previous == kNoId ? v : previous, next == kNoId ? v : next,
+                whole.chain.place(in_whole));
   }
 }
 
 std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshPatch& patch) {
   const TriMesh& part = patch.mesh.mesh;
   const BoundaryChain& chain = patch.mesh.chain;
-  const std::size_t old_vertices = patch.vertices.size();
-  const auto is_held = [&](VertexId v) { return v >= patch.first_held; };
-  std::vector<std::uint8_t> is_used(part.points.size(), 0);
-  for (const Face& face : part.faces) {
-    if (is_dead(face)) continue;
-    for (const VertexId v : face.v) is_used[v] = 1;
-  }
+  const IdArray<VertexId, std::uint8_t> is_used = part.used_vertices();
   std::size_t vertices = whole.mesh.points.size(), facets = whole.mesh.faces.size();
-  const auto vertex = ids_in_whole(
-      patch.vertices, part.points.size(), vertices, [&](std::size_t v) { return is_used[v] != 0; },
-      [&](std::size_t v) { return is_held(VertexId(v)); });
-  auto facet = ids_in_whole(
-      patch.facets, part.faces.size(), facets,
-      [&](std::size_t f) { return !is_dead(part.faces[FaceId(f)]); },
-      [](std::size_t) { return true; });
+  const auto vertex = ids_in_whole(patch.vertices, part.points.size(), vertices,
+                                   [&](VertexId v) { return is_used[v] != 0; });
+  auto facet = ids_in_whole(patch.facets, part.faces.size(), facets,
+                            [&](FaceId f) { return !is_dead(part.faces[f]); });
   grow(whole.mesh.points, vertices);
   grow(whole.mesh.faces, facets);
   grow(whole.duals, facets);
-  // Old ids first: new elements may have taken them.
-  for (VertexId v = 0; v < old_vertices; ++v) {
-    if (is_held(v) && whole.chain.is_boundary(vertex[v])) {
-      whole.chain.set(vertex[v], kNoId, kNoId, {});
+  // New vertices and facets come after old ones, so they overwrite those whose ids they have. What
+  // is outside the free box stays as it is, with its chain: its edges are those of frozen facets.
+  for (VertexId v = patch.first_held; v < vertex.size(); ++v) {
+    const VertexId in_whole = vertex[v];
+    if (in_whole == kNoId) continue;
+    whole.mesh.points[in_whole] = part.points[v];
+    if (chain.is_boundary(v)) {
+      whole.chain.set(in_whole, vertex[chain.previous(v)], vertex[chain.next(v)], chain.place(v));
+    } else if (whole.chain.is_boundary(in_whole)) {
+      whole.chain.set(in_whole, kNoId, kNoId, {});
     }
   }
-  for (VertexId v = 0; v < vertex.size(); ++v) {
-    if (is_used[v] == 0) continue;
-    // Chain vertices outside the free box are corners of frozen facets: their edges are as before.
-    const bool may_change = is_held(v);
-    whole.mesh.points[vertex[v]] = part.points[v];
-    if (may_change && chain.is_boundary(v)) {
-      whole.chain.set(vertex[v], vertex[chain.previous(v)], vertex[chain.next(v)], chain.place(v));
-    }
+  for (FaceId f = patch.free_box.first_free; f < facet.size(); ++f) {
+    if (facet[f] == kNoId) continue;
+    Face& face = whole.mesh.faces[facet[f]] = part.faces[f];
+    whole.duals[facet[f]] = patch.mesh.duals[f];
+    if (is_dead(face)) continue;
+    for (VertexId& v : face.v) v = vertex[v];
+    for (FaceId& g : face.n) g = g == kNoId ? g : facet[g];
   }
-  for (FaceId f = patch.free_box.first_free; f < patch.facets.size(); ++f) {
-    if (is_dead(part.faces[f])) whole.mesh.faces[facet[f]] = part.faces[f];
-  }
-  for (FaceId f = 0; f < facet.size(); ++f) {
+  // A frozen facet may have neighbors outside the patch, and begin with another vertex there.
+  for (FaceId f = 0; f < patch.free_box.first_free; ++f) {
     const Face& own = part.faces[f];
-    if (is_dead(own)) continue;
     Face& face = whole.mesh.faces[facet[f]];
-    if (f >= patch.free_box.first_free) {
-      face = own;
-      whole.duals[facet[f]] = patch.mesh.duals[f];
-      for (VertexId& v : face.v) v = vertex[v];
-    }
-    // A frozen facet may have neighbors outside the patch, and begin with another vertex there.
     const int first = corner_index(face, vertex[own.v[0]]);
     for (int i = 0; i < 3; ++i) {
       if (own.n[i] != kNoId) face.n[(first + i) % 3] = facet[own.n[i]];

@@ -13,7 +13,7 @@
 namespace deliso {
 
 struct MeshPatch {
-  std::uint32_t place = 0;  // of its free box, as PlacesInPatches has it
+  std::uint32_t place = 0;  // of its free box
   FreeBox free_box;
   // In the whole mesh: the frozen facets, then those in the free box; the vertices outside the
   // free box, then those in it. Each in the order of their places, so that what is done to the
@@ -30,14 +30,16 @@ struct MeshPatch {
   Report report;
 };
 
-// Of a whole mesh that is divided into places; some are the free boxes of patches.
+// Of a whole mesh that is divided into places, some of which are the free boxes of patches.
+template <class Id>
+struct Places {
+  IdArray<Id, std::uint32_t> of;  // the place of each element; kNoId: a facet lies in several
+  // Its number in the patch whose free box holds it, if it is in one. At first kNoId.
+  IdArray<Id, Id> number;
+};
 struct PlacesInPatches {
-  // The place of each vertex and facet; kNoId: a facet has vertices in several.
-  IdArray<VertexId, std::uint32_t> of_vertex;
-  IdArray<FaceId, std::uint32_t> of_facet;
-  // Their numbers in the patch whose free box holds them, if they are in one. At first kNoId.
-  IdArray<VertexId, VertexId> vertex;
-  IdArray<FaceId, FaceId> facet;
+  Places<VertexId> vertices;
+  Places<FaceId> facets;
 };
 
 // Puts patch.facets in order, and sets the free box's first_free, patch.vertices and patch.mesh;

@@ -169,22 +169,24 @@ class SeamWork {
   // Sets the places of all vertices and facets; dead ones are at place 0, which is no box.
   void find_places(const RoundBoxes& boxes) {
     const TriMesh& mesh = whole_.mesh.mesh;
-    places_.vertex.assign(mesh.points.size(), kNoId);
-    places_.facet.assign(mesh.faces.size(), kNoId);
-    places_.of_vertex.resize(mesh.points.size());
-    places_.of_facet.resize(mesh.faces.size());
+    Places<VertexId>& vertices = places_.vertices;
+    Places<FaceId>& facets = places_.facets;
+    vertices.number.assign(mesh.points.size(), kNoId);
+    facets.number.assign(mesh.faces.size(), kNoId);
+    vertices.of.resize(mesh.points.size());
+    facets.of.resize(mesh.faces.size());
     for_each_run(threads_, mesh.points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (VertexId v(begin); v < end; ++v) {
-        places_.of_vertex[v] = static_cast<std::uint32_t>(boxes.at(mesh.points[v]));
+        vertices.of[v] = static_cast<std::uint32_t>(boxes.at(mesh.points[v]));
       }
     });
     for_each_run(threads_, mesh.faces.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (FaceId f(begin); f < end; ++f) {
         const Triangle& t = mesh.faces[f].v;
-        const auto at = [&](int i) { return places_.of_vertex[t[i]]; };
-        places_.of_facet[f] = is_dead(mesh.faces[f])             ? 0
-                              : at(0) == at(1) && at(0) == at(2) ? at(0)
-                                                                 : std::uint32_t{kNoId};
+        const auto at = [&](int i) { return vertices.of[t[i]]; };
+        facets.of[f] = is_dead(mesh.faces[f])             ? 0
+                       : at(0) == at(1) && at(0) == at(2) ? at(0)
+                                                          : std::uint32_t{kNoId};
       }
     });
   }
@@ -192,13 +194,13 @@ class SeamWork {
   // Returns the boxes with open facets, and what lies in them.
   std::vector<MeshPatch> patches_of(const RoundBoxes& boxes) {
     const auto for_each_place = [&](FaceId f, auto&& visit) {
-      if (const std::uint32_t place = places_.of_facet[f]; place != kNoId) {
+      if (const std::uint32_t place = places_.facets.of[f]; place != kNoId) {
         visit(place);
       } else {
         boxes.for_each(box_of_facet(f), visit);
       }
     };
-    const std::size_t facets = places_.of_facet.size();
+    const std::size_t facets = places_.facets.of.size();
     std::vector<std::uint32_t> number(boxes.size(), kNoId);
     for (FaceId f = 0; f < facets; ++f) {
       if (is_open_[f] != 0) for_each_place(f, [&](std::size_t place) { number[place] = 0; });

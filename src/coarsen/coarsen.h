@@ -20,7 +20,7 @@ struct CoarsenScope {
   std::vector<VertexId> first;  // tried first; then those near a change
 };
 
-// Returns the bound on the distance: that of the criteria, if they have one.
+// Returns the bound on the distance: that of the criteria, or a tenth of a voxel if they have none.
 double coarsening_bound(const Parameters& parameters);
 
 // Coarsens the mesh in place. `distance`: the bound. Facets that change get their duals; if the

@@ -85,8 +85,7 @@ FacetDual facet_dual(const Triangulation& t, Facet f) {
   const Facet g = t.mirror(f);
   const double t_lo = end(outwards ? f : g, -kInfinity), t_hi = end(outwards ? g : f, kInfinity);
   // Exact ends never cross; rounded ones may, if the cells have (nearly) one circumsphere.
-  return {line.center,          line.normal,          line.radius,
-          std::min(t_lo, t_hi), std::max(t_lo, t_hi), outwards};
+  return {line.center, line.normal, line.radius, std::min(t_lo, t_hi), std::max(t_lo, t_hi)};
 }
 
 Circumsphere circumsphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {

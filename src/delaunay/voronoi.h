@@ -43,7 +43,6 @@ struct FacetDual {
   Vec3 center, normal;
   double radius = 0;
   double t_lo = 0, t_hi = 0;  // t_lo <= t_hi; -+infinity at a cell at infinity
-  bool cell_at_lo = false;    // is the t_lo end that of f.cell, the t_hi end its mirror's?
 
   Vec3 at(double t) const { return center + t * normal; }
 };

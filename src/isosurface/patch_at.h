@@ -4,7 +4,6 @@
 // so near to Sigma that this cubic alone tells the distance, without a walk over voxels.
 #pragma once
 
-#include <cmath>
 #include <optional>
 
 #include "isosurface/isosurface.h"
@@ -28,10 +27,6 @@ class PatchAt {
   // distance; infinite if it is further than `limit`, or if the direction has no length or is not
   // finite.
   double parameter_along(const Vec3& direction, double limit, SearchCounters& counters) const;
-  // The same without its sign.
-  double distance_along(const Vec3& direction, double limit, SearchCounters& counters) const {
-    return std::fabs(parameter_along(direction, limit, counters));
-  }
 
  private:
   // `u`: the point in units of voxels; `voxel` holds it.

@@ -6,9 +6,14 @@
 namespace deliso {
 
 bool Disk::link() {
-  const std::size_t n = facets.size();
-  across.assign(n, {kNone, kNone, kNone});
-  boundary.clear();
+  number_corners();
+  if (!link_edges()) return false;
+  // A closed piece besides the disk could make up for a handle: the facets must be one piece.
+  const bool is_euler_of_disk = 2 * corners_.size() == facets.size() + boundary.size() + 2;
+  return boundary.size() >= 3 && is_euler_of_disk && has_one_boundary() && is_one_piece();
+}
+
+void Disk::number_corners() {
   corners_.clear();
   ends_.clear();
   for (const Triangle& t : facets) {
@@ -20,6 +25,11 @@ bool Disk::link() {
     }
     for (std::size_t i = 0; i < 3; ++i) ends_.push_back({local[(i + 1) % 3], local[(i + 2) % 3]});
   }
+}
+
+bool Disk::link_edges() {
+  across.assign(facets.size(), {kNone, kNone, kNone});
+  boundary.clear();
   const std::size_t vertices = corners_.size();
   edge_.assign(vertices * vertices, kNone);
   for (std::uint32_t e = 0; e < ends_.size(); ++e) {
@@ -39,17 +49,21 @@ bool Disk::link() {
     leaves_[from] = e;
     boundary.push_back({corners_[from], corners_[to], e / 3, static_cast<int>(e % 3)});
   }
-  if (boundary.size() < 3 || 2 * vertices != n + boundary.size() + 2) return false;
-  // The boundary is one cycle.
+  return true;
+}
+
+bool Disk::has_one_boundary() const {
   std::size_t length = 0;
   const std::uint32_t first = 3 * boundary[0].facet + static_cast<std::uint32_t>(boundary[0].side);
   for (std::uint32_t e = first; e != kNone && (e != first || length == 0); ++length) {
     e = leaves_[ends_[e].to];
   }
-  if (length != boundary.size()) return false;
-  // The facets are one piece: a closed piece besides the disk could make up for a handle.
+  return length == boundary.size();
+}
+
+bool Disk::is_one_piece() {
   reached_.assign(1, 0);
-  is_reached_.assign(n, 0);
+  is_reached_.assign(facets.size(), 0);
   is_reached_[0] = 1;
   for (std::size_t k = 0; k < reached_.size(); ++k) {
     for (const std::uint32_t g : across[reached_[k]]) {
@@ -58,7 +72,7 @@ bool Disk::link() {
       reached_.push_back(g);
     }
   }
-  return reached_.size() == n;
+  return reached_.size() == facets.size();
 }
 
 bool Disk::link_cone(const std::vector<BoundaryEdge>& rim, VertexId apex) {

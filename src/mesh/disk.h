@@ -37,6 +37,13 @@ struct Disk {
   std::size_t inner_vertices() const { return corners_.size() - boundary.size(); }
 
  private:
+  // The steps of link(): corners and ends of edges; then facets across edges, and the boundary.
+  // False if an edge has two facets on one side, or the boundary meets itself.
+  void number_corners();
+  bool link_edges();
+  bool has_one_boundary() const;  // one cycle
+  bool is_one_piece();
+
   std::vector<VertexId> corners_;
   // Places in corners_. An edge is a side of a facet, numbered 3 * facet + side.
   struct Ends {

@@ -117,6 +117,15 @@ std::vector<Triangle> TriMesh::triangles() const {
   return triangles;
 }
 
+IdArray<VertexId, std::uint8_t> TriMesh::used_vertices() const {
+  IdArray<VertexId, std::uint8_t> is_used(points.size(), 0);
+  for (const Face& face : faces) {
+    if (is_dead(face)) continue;
+    for (const VertexId v : face.v) is_used[v] = 1;
+  }
+  return is_used;
+}
+
 TriMesh make_tri_mesh(std::vector<Vec3> points, std::span<const Triangle> triangles) {
   TriMesh mesh;
   mesh.points = std::move(points);

@@ -50,6 +50,8 @@ struct TriMesh {
   // Returns the points in the world, as mesh files have them.
   std::vector<Vec3> world_points() const;
   std::vector<Triangle> triangles() const;
+  // Returns for each vertex whether it is a corner of a live facet.
+  IdArray<VertexId, std::uint8_t> used_vertices() const;
 };
 
 // Returns the index of the corner of f opposite its neighbor g: f.n[i] == g. pre: they are
@@ -62,6 +64,11 @@ inline int neighbor_index(const Face& f, FaceId g) {
 // vertices call this for each facet.
 inline int corner_index(const Face& f, VertexId v) {
   return static_cast<int>(f.v[1] == v) | static_cast<int>(f.v[2] == v) << 1;
+}
+
+// Returns the neighbor of f across its edge that ends in its corner v.
+inline FaceId& neighbor_at_edge_to(Face& f, VertexId v) {
+  return f.n[(corner_index(f, v) + 1) % 3];
 }
 
 template <class Id>

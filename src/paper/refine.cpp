@@ -116,12 +116,7 @@ void Refinement::put_cone(const Vec3& p) {
     Face& face = mesh_.faces[d_[k]];
     face = {cone_.facets[k], {d_[cone_.across[k][0]], d_[cone_.across[k][1]], outside[k]}};
     if (outside[k] == kNoId) continue;
-    Face& other = mesh_.faces[outside[k]];
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (other.v[(i + 1) % 3] == face.v[1] && other.v[(i + 2) % 3] == face.v[0]) {
-        other.n[i] = d_[k];
-      }
-    }
+    neighbor_at_edge_to(mesh_.faces[outside[k]], face.v[0]) = d_[k];
   }
   for (const FaceId f : d_) {
     t_.duals[f] = dual(f);

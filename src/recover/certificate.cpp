@@ -31,52 +31,56 @@ Certificate::Region Certificate::count_region(SiteId a, ContourId at,
   reached[0] = at;
   visited[at] = now;
   std::size_t count = 1;
-  // An inner edge is met from both ends, a triangle once from each of its vertices in the region.
-  long edges_twice = 0, faces_thrice = 0;
   for (std::size_t k = 0; k < count; ++k) {
     const ContourId v = reached[k];
-    const std::span<const ContourId> ring = labels_.ring(v);
-    for (const ContourId u : ring) {
+    for (const ContourId u : labels_.ring(v)) {
       if (label[u] != a) continue;
       reached[count] = u;
       count += visited[u] != now;
       visited[u] = now;
     }
-    const bool on_boundary = labels_.contour().on_boundary(v);
-    const std::size_t triangles = ring.size() - on_boundary;
-    for (std::size_t n = 0; n < triangles; ++n) {  // the edge (v, u), the triangle (v, u, w)
-      const ContourId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
-      const SiteId b = label[u], c = label[w];
-      if (b == a) {
-        ++edges_twice;
-        ++(c == a ? faces_thrice : interface_with(c).F);
-        continue;
-      }
-      Interface& i = interface_with(b);
-      ++i.E;
-      if (c == b) {
-        ++i.F;
-      } else if (c != a) {  // labels a, b, a: counted from w
-        facets.push_back({{a, b, c}, {v, u, w}});
-      }
-    }
-    if (!on_boundary) continue;
-    ++r.boundary_V;
-    // A boundary edge has only one direction, from the previous vertex to v.
-    const SiteId before = label[ring.back()], next = label[ring.front()];
-    if (before == a) {
-      ++r.boundary_E;
-    } else {
-      Interface& i = interface_with(before);
-      ++i.E;
-      ++i.boundary_E;
-    }
-    if (next != a) ++interface_with(next).boundary_E;
+    count_at(a, v, r, facets);
   }
+  // An inner edge is met from both ends, a triangle once from each of its vertices in the region.
   r.V = static_cast<long>(count);
-  r.E = (edges_twice + r.boundary_E) / 2;
-  r.F = faces_thrice / 3;
+  r.E = (r.E + r.boundary_E) / 2;
+  r.F /= 3;
   return r;
+}
+
+void Certificate::count_at(SiteId a, ContourId v, Region& r, std::vector<DualFacet>& facets) {
+  const IdArray<ContourId, SiteId>& label = labels_.all();
+  const std::span<const ContourId> ring = labels_.ring(v);
+  const bool on_boundary = labels_.contour().on_boundary(v);
+  const std::size_t triangles = ring.size() - on_boundary;
+  for (std::size_t n = 0; n < triangles; ++n) {  // the edge (v, u), the triangle (v, u, w)
+    const ContourId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
+    const SiteId b = label[u], c = label[w];
+    if (b == a) {
+      ++r.E;
+      ++(c == a ? r.F : interface_with(c).F);
+      continue;
+    }
+    Interface& i = interface_with(b);
+    ++i.E;
+    if (c == b) {
+      ++i.F;
+    } else if (c != a) {  // labels a, b, a: counted from w
+      facets.push_back({{a, b, c}, {v, u, w}});
+    }
+  }
+  if (!on_boundary) return;
+  ++r.boundary_V;
+  // A boundary edge has only one direction, from the previous vertex to v.
+  const SiteId before = label[ring.back()], next = label[ring.front()];
+  if (before == a) {
+    ++r.boundary_E;
+  } else {
+    Interface& i = interface_with(before);
+    ++i.E;
+    ++i.boundary_E;
+  }
+  if (next != a) ++interface_with(next).boundary_E;
 }
 
 Verdict Certificate::check(SiteId a, ContourId at, std::vector<DualFacet>& facets) {

@@ -58,6 +58,8 @@ class Certificate {
   };
   // Counts the region, sets interfaces_ and `facets`.
   Region count_region(SiteId a, ContourId at, std::vector<DualFacet>& facets);
+  // Counts the edges and triangles at v, a vertex of L(a), in the region and its interfaces.
+  void count_at(SiteId a, ContourId v, Region& r, std::vector<DualFacet>& facets);
   Interface& interface_with(SiteId site) {
     for (Interface& known : interfaces_) {
       if (known.site == site) return known;

@@ -8,6 +8,10 @@
 namespace deliso {
 namespace {
 
+// Shortest boundary edge that is split, as a share of r_min. Where the curve turns sharply at an
+// edge of the box, shorter edges would encroach upon each other forever.
+constexpr double kShortestBoundaryEdge = 0.25;
+
 // Returns the ends of a chain edge in the order of the chain. Nullopt if the edge is fixed or not
 // in the chain.
 std::optional<std::pair<VertexId, VertexId>> ends_on_chain(const Refinement& r, EdgeRef edge) {

@@ -13,31 +13,63 @@
 namespace deliso {
 namespace {
 
+// Samples, listed by cells. The table of cells is periodic in space.
+class SampleCells {
+ public:
+  SampleCells(std::span<const Vec3> samples, std::span<const std::uint32_t> numbers, double cell)
+      : samples_(samples), per_cell_(1 / cell), next_(samples.size(), kEnd) {
+    for (const std::uint32_t n : numbers) next_[n] = std::exchange(list_at(cell_at(samples[n])), n);
+  }
+
+  // Removes samples for which pred(point) holds: all of them in the box, perhaps some elsewhere.
+  template <class Predicate>
+  void remove_if(const Box3& box, Predicate&& pred) {
+    const Index3 lo = cell_at(box.lo);
+    Index3 hi = cell_at(box.hi), at;
+    for (int axis = 0; axis < 3; ++axis) hi[axis] = std::min(hi[axis], lo[axis] + kCells - 1);
+    for (at.k = lo.k; at.k <= hi.k; ++at.k) {
+      for (at.j = lo.j; at.j <= hi.j; ++at.j) {
+        for (at.i = lo.i; at.i <= hi.i; ++at.i) {
+          for (std::uint32_t* n = &list_at(at); *n != kEnd;) {
+            std::uint32_t& next = next_[*n];
+            if (pred(samples_[*n])) {
+              *n = std::exchange(next, kRemoved);
+            } else {
+              n = &next;
+            }
+          }
+        }
+      }
+    }
+  }
+  bool was_removed(std::uint32_t n) const { return next_[n] == kRemoved; }
+
+ private:
+  static constexpr int kCells = 16;  // of the table, along each axis
+  static constexpr std::uint32_t kEnd = 0xffffffff, kRemoved = kEnd - 1;
+
+  Index3 cell_at(const Vec3& p) const {
+    return {static_cast<int>(per_cell_ * p.x), static_cast<int>(per_cell_ * p.y),
+            static_cast<int>(per_cell_ * p.z)};
+  }
+  std::uint32_t& list_at(Index3 cell) {
+    constexpr int kMask = kCells - 1;
+    return first_[static_cast<std::size_t>(((cell.k & kMask) * kCells + (cell.j & kMask)) * kCells +
+                                           (cell.i & kMask))];
+  }
+
+  std::span<const Vec3> samples_;
+  double per_cell_;
+  std::vector<std::uint32_t> first_ =
+      std::vector<std::uint32_t>(std::size_t{kCells} * kCells * kCells, kEnd);
+  std::vector<std::uint32_t> next_;  // in its list, of each sample
+};
+
 // Removes the samples over a facet within `limit` of its plane from `numbers`: nearly all, for a
 // fraction of what a search in the hash costs.
-//
-// Samples are listed by cells as large as the hash's. The table of cells is periodic in space. A
-// list loses the samples that are found.
 void remove_covered(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
                     double limit, std::vector<std::uint32_t>& numbers) {
-  const double per_cell = 1 / grid.cell();
-  const auto cell_at = [&](const Vec3& p) {
-    return Index3{static_cast<int>(per_cell * p.x), static_cast<int>(per_cell * p.y),
-                  static_cast<int>(per_cell * p.z)};
-  };
-  constexpr int kCells = 16;  // of the table, along each axis
-  constexpr std::uint32_t kEnd = 0xffffffff, kCovered = kEnd - 1;
-  std::vector<std::uint32_t> first(std::size_t{kCells} * kCells * kCells, kEnd),
-      next(samples.size(), kEnd);
-  const auto list_at = [&](int i, int j, int k) -> std::uint32_t& {
-    constexpr int kMask = kCells - 1;
-    return first[static_cast<std::size_t>(((k & kMask) * kCells + (j & kMask)) * kCells +
-                                          (i & kMask))];
-  };
-  for (const std::uint32_t n : numbers) {
-    const Index3 at = cell_at(samples[n]);
-    next[n] = std::exchange(list_at(at.i, at.j, at.k), n);
-  }
+  SampleCells cells(samples, numbers, grid.cell());
   for (const Face& face : mesh.faces) {
     if (is_dead(face)) continue;
     const Vec3 &a = mesh.points[face.v[0]], &b = mesh.points[face.v[1]],
@@ -45,42 +77,24 @@ void remove_covered(const TriMesh& mesh, const BoxGrid& grid, std::span<const Ve
     const Vec3 u = b - a, v = c - a;
     const Vec3 normal = cross(u, v), along_u = cross(v, normal), along_v = cross(normal, u);
     const double normal2 = length2(normal), height2 = limit * limit * normal2;
-    const auto is_over = [&](const Vec3& p) {
+    cells.remove_if(box_of(a, b, c), [&](const Vec3& p) {
       const Vec3 w = p - a;
       const double height = dot(normal, w), by_u = dot(along_u, w), by_v = dot(along_v, w);
       return height * height <= height2 && by_u >= 0 && by_v >= 0 && by_u + by_v <= normal2;
-    };
-    const Box3 box = box_of(a, b, c);
-    const Index3 lo = cell_at(box.lo);
-    Index3 hi = cell_at(box.hi);
-    for (int axis = 0; axis < 3; ++axis) hi[axis] = std::min(hi[axis], lo[axis] + kCells - 1);
-    for (int k = lo.k; k <= hi.k; ++k) {
-      for (int j = lo.j; j <= hi.j; ++j) {
-        for (int i = lo.i; i <= hi.i; ++i) {
-          for (std::uint32_t* at = &list_at(i, j, k); *at != kEnd;) {
-            const std::uint32_t n = *at;
-            if (is_over(samples[n])) {
-              *at = std::exchange(next[n], kCovered);
-            } else {
-              at = &next[n];
-            }
-          }
-        }
-      }
-    }
+    });
   }
-  std::erase_if(numbers, [&](std::uint32_t n) { return next[n] == kCovered; });
+  std::erase_if(numbers, [&](std::uint32_t n) { return cells.was_removed(n); });
 }
+
+}  // namespace
 
 double distance2_to_facet(const TriMesh& mesh, FaceId f, const Vec3& p) {
   const Triangle& v = mesh.faces[f].v;
   return distance2_to_triangle(p, mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
 }
 
-// Returns the facet nearest to a sample at p, found in growing balls, the first of this radius;
-// kNoId if all are very far.
-FarSample nearest(const TriMesh& mesh, const BoxGrid& grid, std::uint32_t sample, const Vec3& p,
-                  double radius) {
+FarSample nearest_facet(const TriMesh& mesh, const BoxGrid& grid, std::uint32_t sample,
+                        const Vec3& p, double radius) {
   FarSample at{sample, kNoId, 0};
   for (int doublings = 0; at.facet == kNoId && doublings < 32; ++doublings, radius *= 2) {
     at.distance2 = radius * radius;
@@ -93,8 +107,6 @@ FarSample nearest(const TriMesh& mesh, const BoxGrid& grid, std::uint32_t sample
   return at;
 }
 
-}  // namespace
-
 std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
                                 std::span<const Vec3> samples, double limit,
                                 std::vector<std::uint32_t>& numbers) {
@@ -102,7 +114,7 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
   // The first time, when none was held against the mesh.
   if (numbers.size() == samples.size()) remove_covered(mesh, grid, samples, limit, numbers);
   std::erase_if(numbers, [&](std::uint32_t n) {
-    const FarSample at = nearest(mesh, grid, n, samples[n], limit);
+    const FarSample at = nearest_facet(mesh, grid, n, samples[n], limit);
     if (at.facet == kNoId) return false;
     if (at.distance2 <= limit * limit) return true;
     far.push_back(at);
@@ -116,19 +128,6 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
   far.erase(std::unique(far.begin(), far.end(), of_one_facet), far.end());
   std::ranges::sort(far, {}, [](const FarSample& a) { return std::tuple(-a.distance2, a.sample); });
   return far;
-}
-
-double furthest_distance(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
-                         double resolution) {
-  double furthest = 0;
-  FaceId last = kNoId;  // the facet near a sample is often near the next one, too
-  for (const Vec3& p : samples) {
-    if (last != kNoId && distance2_to_facet(mesh, last, p) <= furthest * furthest) continue;
-    const FarSample at = nearest(mesh, grid, 0, p, std::max(furthest, resolution));
-    furthest = std::max(furthest, std::sqrt(at.distance2));
-    last = at.facet;
-  }
-  return furthest;
 }
 
 }  // namespace deliso

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A queue of facets, the worst first; of equally bad ones the latest.
+// A queue of facets, the worst first; of equally bad ones the one with the largest id.
 #pragma once
 
 #include <queue>

@@ -54,13 +54,42 @@ double least_cost(const Refinement& r, const Triangle& v) {
   return cost_of_shape(r, shape);
 }
 
+// The surface ball of a facet across the boundary of a vertex's star. The facet stays, but the
+// vertex may move into its ball. Whether the ball holds another vertex does not change.
+struct Ball {
+  Dual dual;
+  bool is_delaunay;  // if the vertex is not in it
+};
+
+double cost_of(const std::vector<Ball>& across, const Vec3& p) {
+  const auto costs = [&](const Ball& b) { return !b.is_delaunay || b.dual.holds(p); };
+  return kNotDelaunayCost * static_cast<double>(std::ranges::count_if(across, costs));
+}
+
+// Moves v along the plane with this normal and back to Sigma. Returns false if no place of the 24
+// passes.
+bool try_places(Refinement& r, const Cavity& star, VertexId v, const Vec3& normal,
+                const Refinement::Accept& accept) {
+  const Vec3 sideways = cross(normal, std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
+  const Vec3 u = sideways / length(sideways), w = cross(normal, u);
+  const Vec3 from = r.point(v);
+  for (const double step : kStepRMins) {
+    const double reach = step * r.parameters.r_min;
+    for (const auto& [cosine, sine] : kDirections) {
+      const Vec3 to = from + (reach * cosine) * u + (reach * sine) * w;
+      const auto foot = r.finder.foot(to, normal, reach, r.report.searches_refine);
+      if (foot && !r.make(star.move(v, *foot, Gates{}), accept)) return true;
+    }
+  }
+  return false;
+}
+
 std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   if (r.s.chain.is_boundary(v)) return Refusal::boundary;
   r.moves.resize(r.mesh.points.size());
   if (r.moves[v].are_vain) return Refusal::no_gain;
   const Cavity* cavity = r.open(r.star(f, v));
   if (!cavity) return Refusal::not_a_disk;
-
   Vec3 normal;
   double here = 0;
   for (const FaceId g : cavity->facets) {
@@ -68,37 +97,25 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
     normal = normal + r.normal(t);
     here += cost(r, t, r.s.duals[g]);
   }
-  // Facets across the boundary of the cavity stay, but the vertex may move into their balls.
-  // Whether these hold another vertex does not change.
-  struct Ball {
-    Dual dual;
-    bool is_delaunay;  // if the vertex is not in it
-  };
   std::vector<Ball> across;
   for (const FaceId g : cavity->across) {
     if (g == kNoId) continue;
     across.push_back({r.s.duals[g], r.is_delaunay(r.mesh.faces[g].v, r.s.duals[g], v)});
   }
-  const auto cost_across = [&] {
-    const auto costs = [&](const Ball& b) { return !b.is_delaunay || b.dual.holds(r.point(v)); };
-    return kNotDelaunayCost * static_cast<double>(std::ranges::count_if(across, costs));
-  };
-  here += cost_across();
+  const Vec3 from = r.point(v);
+  here += cost_of(across, from);
   const double size = length(normal);
   if (!(size > 0) || here == 0 || r.moves[v].tries == kMaxTries) return Refusal::no_gain;
   ++r.moves[v].tries;
   normal = normal / size;
-  const Vec3 sideways = cross(normal, std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
-  const Vec3 u = sideways / length(sideways), w = cross(normal, u);
 
-  const Vec3 from = r.point(v);
   SearchCounters& searches = r.report.searches_refine;
   double there = 0;
   // The costs become known facet by facet. False as soon as the cost does not fall far enough.
   const Refinement::Accept lowers_cost = [&](const Replacement& c) {
     const std::vector<Triangle>& facets = c.in().facets;
     if (c.duals.empty()) {
-      there = cost_across();
+      there = cost_of(across, r.point(v));
       for (const Triangle& t : facets) there += least_cost(r, t);
     } else {
       const Triangle& t = facets[c.duals.size() - 1];
@@ -108,19 +125,9 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
            (!c.has_duals() || (r.finder.on_one_sheet(from, r.point(v), normal, searches) &&
                                r.finder.leads_to(from, r.point(v), normal, searches)));
   };
-  for (const double step : kStepRMins) {
-    const double reach = step * r.parameters.r_min;
-    for (const auto& [cosine, sine] : kDirections) {
-      const Vec3 to = from + (reach * cosine) * u + (reach * sine) * w;
-      const auto foot = r.finder.foot(to, normal, reach, searches);
-      if (!foot) continue;
-      if (!r.make(cavity->move(v, *foot, Gates{}), lowers_cost)) {
-        return r.done(Operation::move, std::nullopt);
-      }
-    }
-  }
-  r.moves[v].are_vain = true;
-  return r.done(Operation::move, Refusal::no_gain);
+  r.moves[v].are_vain = !try_places(r, *cavity, v, normal, lowers_cost);
+  return r.done(Operation::move,
+                r.moves[v].are_vain ? std::optional(Refusal::no_gain) : std::nullopt);
 }
 
 }  // namespace

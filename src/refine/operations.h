@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The operations of Stage 2. Each function proposes one replacement of a disk (refinement.h) and
-// counts the outcome. It returns nullopt if the replacement was done, else the test that refused
-// it. After a success Refinement::created() are the new facets.
+// The operations of Stage 2. Each proposes replacements of a disk (refine/refinement.h), until one
+// is done, and counts the outcome; not where there was nothing to try. It returns nullopt if a
+// replacement was done, else the reason of the refusal: the operation's own, or the gate's that
+// refused. After a success Refinement::created() are the new facets. The functions that return no
+// refusal are what the operations ask.
 #pragma once
 
 #include <optional>
@@ -57,8 +59,9 @@ bool may_remove(const Refinement& r, VertexId v);
 // True if the edge vw would lie in a face of the box and is not a chain edge.
 bool joins_on_box(const Refinement& r, VertexId v, VertexId w);
 
-// Merges `from`, a corner of f, into its neighbor `to`, and counts nothing. Refused if `from` may
-// not be removed or its chain needs it.
+// Merges `from`, a corner of f, into its neighbor `to`, and counts nothing. Refused if the chain
+// needs `from`, if `from` is on the boundary and `to` is not next to it there, or if an edge from
+// `to` would lie in a face of the box.
 std::optional<Refusal> merge_corner(Refinement& r, FaceId f, VertexId from, VertexId to,
                                     const Gates& gates,
                                     const Refinement::Accept& accept = Refinement::always);

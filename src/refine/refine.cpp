@@ -70,7 +70,8 @@ class RefineGeom {
   // Returns true if an operation was done. Then it queues the facets created, and marks them and
   // their neighbors as not done.
   bool accept(const std::optional<Refusal>& refusal);
-  // Queues f if it violates a criterion or `at_least` is over 1, and is not left.
+  // Queues f if it violates a criterion, a side of it is off its curve, or `at_least` is over 1;
+  // not if it is left.
   void enqueue(FaceId f, double at_least = 0);
   // True if f is left to blocks/seams.h: it touches a seam, which has all vertices of T, and will
   // be coarsened with it. Refined before, half of a block's insertions would be there, and go

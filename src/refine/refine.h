@@ -2,10 +2,12 @@
 // Stage 2, Refine of paper Figure 4 and RefineGeom of Figure 9. It refines the mesh of Stage 1
 // until every facet meets the criteria, the worst facet first.
 //
-// For a facet that violates a criterion it collapses a short edge, or inserts the surface point, or
-// inserts another point of Sigma near it. Then it removes vertices near a change that the criteria
-// do not need (refine/thin.h), and inserts reference samples that are too far from the mesh. Last
-// it makes facets Delaunay and moves corners. Facets that stay bad are counted.
+// For a facet that violates a criterion it splits a side that is off its curve on the box, or
+// collapses a short edge, or inserts the surface point, or inserts another point of Sigma near it.
+// In between it flips edges that are not Delaunay. Then it removes vertices near a change that the
+// criteria do not need (refine/thin.h), and inserts reference samples that are too far from the
+// mesh. Then it makes facets Delaunay and moves corners, and last it keeps facets apart
+// (refine/separate.h). Facets that stay bad are counted.
 //
 // Each operation replaces one disk (refine/refinement.h). So the mesh stays a manifold of the same
 // topology, embedded, with its vertices on Sigma.

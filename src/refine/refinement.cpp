@@ -55,12 +55,9 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Given& given, const Free
   facets_.expect(mesh.faces.size());
   vertices_.expect(mesh.points.size());
   DisjointSets joined(mesh.faces.size());
-  std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
-    const Triangle& v = mesh.faces[f].v;
     if (is_dead(mesh.faces[f])) continue;
-    facets_.add(f, facets_.box_of(mesh.points, v));
-    for (const VertexId q : v) is_used[q] = 1;
+    facets_.add(f, facets_.box_of(mesh.points, mesh.faces[f].v));
     for (const FaceId g : mesh.faces[f].n) {
       if (g < f) joined.unite(f.number(), g.number());
     }
@@ -70,6 +67,7 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Given& given, const Free
     component_size_.resize(std::max<std::size_t>(component_size_.size(), component + 1));
     ++component_size_[component];
   }
+  const IdArray<VertexId, std::uint8_t> is_used = mesh.used_vertices();
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
     if (is_used[v]) vertices_.add(v, vertices_.box_of(point(v)));
   }
@@ -145,10 +143,14 @@ void Refinement::undo(const Replacement& c) {
 }
 
 void Refinement::commit(Replacement& c) {
+  commit_vertices(c);
+  commit_facets(c);
+  ++c.cavity.number_;  // its facets are gone
+}
+
+void Refinement::commit_vertices(const Replacement& c) {
   const Disk &was = c.cavity.disk, &in = c.in();
-  const std::vector<FaceId>& removed = c.cavity.facets;
   const VertexId vertex = c.proposal.vertex;
-  for (const FaceId f : removed) facets_.remove(f);
   if (c.moves()) vertices_.remove(vertex);
   if (c.proposal.what != Proposal::Vertex::none) {
     vertices_.add(vertex, vertices_.box_of(point(vertex)));
@@ -165,6 +167,15 @@ void Refinement::commit(Replacement& c) {
   if (const auto& split = c.proposal.split) {
     s.chain.insert_after(split->before, vertex, split->place);
   }
+}
+
+void Refinement::commit_facets(Replacement& c) {
+  const Disk& in = c.in();
+  const std::vector<FaceId>& removed = c.cavity.facets;
+  for (const FaceId f : removed) {
+    facets_.remove(f);
+    mesh.faces[f] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
+  }
   c.created.clear();
   for (std::size_t k = 0; k < in.facets.size(); ++k) {
     c.created.push_back(k < removed.size() ? removed[k] : FaceId(mesh.faces.size()));
@@ -174,9 +185,6 @@ void Refinement::commit(Replacement& c) {
   const std::uint32_t component = component_[removed[0]];
   component_.resize(mesh.faces.size(), component);
   component_size_[component] += static_cast<std::uint32_t>(in.facets.size() - removed.size());
-  for (std::size_t k = in.facets.size(); k < removed.size(); ++k) {
-    mesh.faces[removed[k]] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
-  }
   for (std::size_t k = 0; k < in.facets.size(); ++k) {
     Face& face = mesh.faces[c.created[k]];
     face.v = in.facets[k];
@@ -192,14 +200,8 @@ void Refinement::commit(Replacement& c) {
     if (across[k] == kNoId) continue;
     const Disk::BoundaryEdge& edge = in.boundary[k];
     mesh.faces[c.created[edge.facet]].n[edge.side] = across[k];
-    Face& outside = mesh.faces[across[k]];
-    for (int i = 0; i < 3; ++i) {
-      if (outside.v[(i + 1) % 3] == edge.to && outside.v[(i + 2) % 3] == edge.from) {
-        outside.n[i] = c.created[edge.facet];
-      }
-    }
+    neighbor_at_edge_to(mesh.faces[across[k]], edge.from) = c.created[edge.facet];
   }
-  ++c.cavity.number_;  // its facets are gone
 }
 
 std::optional<Refusal> Refinement::done(Operation operation, std::optional<Refusal> refusal) {

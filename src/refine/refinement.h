@@ -5,8 +5,10 @@
 // the mesh's boundary the boundary of the cavity may change too, between two boundary vertices.
 //
 // The mesh of Stage 1 is a manifold, homeomorphic to Sigma, embedded, with its vertices on Sigma.
-// Every replacement keeps that, because it passes these tests, from cheap to expensive. Only moves
-// of refine/separate.h and lifts off the box take vertices off Sigma.
+// Every replacement keeps that, because it passes these tests, the gates, from cheap to expensive:
+// Refinement::make() asks them. A proposal may do without some (Gates in refine/proposal.h), but
+// never without G0, G1 and the crossings of G5. Only moves of refine/separate.h and lifts off the
+// box take vertices off Sigma.
 //   G0  No frozen facet is removed, and a vertex comes or moves only to places in the free box.
 //       That is a block without its inner faces (FreeBox::within). Where a part of a mesh is
 //       refined (blocks/seams.h), it is the part's box, and facets outside are frozen.
@@ -93,7 +95,7 @@ class Refinement {
 
   FacetShape shape(const Triangle& v, const Dual& dual) const { return s.shape(v, dual); }
   FacetShape shape(FaceId f) const { return shape(mesh.faces[f].v, s.duals[f]); }
-  // Returns the cost of a facet; it is bad above 1.
+  // Returns how far a facet violates its worst criterion; it is bad above 1.
   double violation(const Triangle& v, const Dual& dual) const {
     return deliso::violation(shape(v, dual), parameters.refinement);
   }
@@ -123,13 +125,16 @@ class Refinement {
   }
 
  private:
-  bool leaves_free_box(const Replacement& c) const;
+  bool leaves_free_box(const Replacement& c) const;  // G0
   void put_in_place(const Replacement& c);
   void undo(const Replacement& c);
+  // Puts the new disk into the mesh, the chain and the hashes, in two steps.
   void commit(Replacement& c);
+  void commit_vertices(const Replacement& c);
+  void commit_facets(Replacement& c);
 
   // refine/gates.cpp
-  std::optional<Refusal> test_shape(Replacement& c);  // G1 and G2
+  std::optional<Refusal> test_shape(Replacement& c);  // G1, and G2: folds(), reverses()
   // G3 for the next facet of `in`: finds its dual. False if more facets lack a surface point than
   // `allowed`.
   bool find_dual(Replacement& c, std::ptrdiff_t& allowed);
@@ -146,7 +151,7 @@ class Refinement {
   bool uncovers(const Replacement& c) const;  // G4
   bool faces_out(const Triangle& v, const Vec3& normal) const;
   bool is_needle(const Replacement& c) const;
-  bool crosses(const Replacement& c);
+  bool crosses(const Replacement& c);  // G5, with is_needle()
   Vec3 point_before(const Replacement& c, VertexId v) const {
     return c.moves() && v == c.proposal.vertex ? moved_from_ : point(v);
   }

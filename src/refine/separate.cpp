@@ -127,7 +127,7 @@ bool Separation::flip_fold(FaceId f, int i, double fold) {
   const Quad q = quad_at(r_.mesh, f, i);
   const Cavity* cavity = joins_on_box(r_, q.a, q.d) ? nullptr : r_.open(std::array{q.f, q.g});
   if (!cavity) return false;
-  // Else the same facets but for a hair: their surface points do not matter.
+  // Else they are nearly the same facets: their surface points do not matter.
   const Gates gates = fold > kFlatFold ? Gates{} : topology_gates(kSharpestFold);
   const auto is_folded_less = [&](const Replacement&) {
     const auto& [s, t] = q.flipped();

@@ -2,9 +2,8 @@
 // Keeps a mesh apart from itself. Where Sigma touches itself, or nearly, facets lie on each other
 // but for rounding: no facets cross, and yet no tetrahedralizer can tell them apart. At the end of
 // Stage 2 such places are mended, by replacements of disks as everything else:
-//   - two facets folded onto each other at an edge: the edge is flipped, the corner of one is
-//   merged
-//     into that of the other, the edge is collapsed, or an end of it that is a tip is removed;
+//   - of two facets folded onto each other, the edge is flipped, the corner of one is merged into
+//     that of the other, the edge is collapsed, or an end of it that is a tip is removed;
 //   - an edge shorter than a thousandth of a voxel is collapsed, the longest edge of a needle is
 //     flipped;
 //   - facets that face each other, nearer than Parameters::gap, are moved apart along their

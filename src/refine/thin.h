@@ -23,7 +23,7 @@ class Thinning {
   // was made.
   Thinning(Refinement& r, std::span<const VertexId> vertices);
 
-  // True if a vertex waits to be tried: none was, or a facet around it has changed since.
+  // True if a vertex waits: it was not tried yet, or a facet around it has changed since.
   bool has_next() const { return !waiting_.empty(); }
   // Tries to remove the next vertex, and counts the outcome. After a success r.created() are the
   // new facets.

@@ -60,7 +60,8 @@ struct PerCriterion {
   friend bool operator==(const PerCriterion&, const PerCriterion&) = default;
 };
 
-// The limits of a facet's measures. By default only r/l has a limit; the others are kNotAsked.
+// The limits of a facet's measures. At first only r/l has a limit; the others are kNotAsked.
+// run/options.h has the limits that a run has by default.
 struct Criteria {
   PerCriterion<double> limits = [] {
     PerCriterion<double> none;
@@ -84,7 +85,8 @@ inline double share_of_limit(std::size_t n, const FacetShape& s, const Criteria&
   return is_small ? 0 : row.share(s, k.limits.values[n]);
 }
 
-// Returns the facet's cost: its largest measure over its limit. The facet is bad above 1.
+// Returns how far the facet violates its worst criterion: the largest of its measures over their
+// limits. It is bad above 1.
 inline double violation(const FacetShape& s, const Criteria& k) {
   double worst = 0;
   const auto consider = [&](double share) { worst = worst < share ? share : worst; };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Events that the stages report while they run. Traces and progress bars implement
-// Observer; it has no influence on the result. Without an observer an event costs the test of a
-// pointer.
+// Events that the stages report while they run. Traces and progress bars implement Observer; it has
+// no influence on the result. Without an observer an event costs the test of a pointer.
 #pragma once
 
 #include <cstddef>
@@ -39,14 +38,15 @@ constexpr Reason reason_of(Criterion c) {
   return static_cast<Reason>(static_cast<unsigned>(Reason::count_) + static_cast<unsigned>(c));
 }
 
-// A volume in several blocks has one stage, "blocks", whose steps are weights of blocks.
+// A volume in several blocks has the stage "blocks", whose steps are weights of blocks, in place of
+// the stages of one block. Then come "weld", and "seams" once for each round.
 class Observer : public StageObserver {
  public:
   // True if the events below are wanted. The volume is then one block.
   virtual bool follows_insertions() const { return false; }
 
-  // The stages begin. They fill this report, whose counts follow along, until mesh_finished(). Of a
-  // volume in blocks it is the block's.
+  // The stages begin. They fill this report, the block's, whose counts follow along, until
+  // mesh_finished().
   virtual void run_begins(const Parameters&, const Report&) {}
 
   // Stage 1: T as a mesh, which has no duals yet.

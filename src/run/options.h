@@ -48,8 +48,8 @@ struct Options : RunSettings {
   static PerCriterion<Length> usual_limits();
 };
 
-// With a smaller r_min a run could not end in reasonable time (docs/proof.md, Theorem 5 and the
-// table of options).
+// With a smaller r_min a run could not end in reasonable time (docs/proof.md, Theorem 5 and
+// "Measured, not proven").
 inline constexpr double kSmallestRMin = 0.001;  // voxels
 
 // Throws InputError if r_min is smaller, or a criterion's limit is below its least.

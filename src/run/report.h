@@ -40,7 +40,8 @@ inline constexpr std::array<std::string_view, kCounterCount> kCounterNames{
     "cap_lifts_off_surface", "cap_not_lifted",   "cap_refused"};
 static_assert(!kCounterNames.back().empty());
 
-// The operations of Stage 2, and why one is refused (refine/refinement.h).
+// The operations of Stage 2, and why one is refused: by a gate (refine/refinement.h), or by the
+// operation itself.
 enum class Operation : std::uint8_t {
   surface_point,
   foot,
@@ -53,16 +54,16 @@ enum class Operation : std::uint8_t {
   count_
 };
 enum class Refusal : std::uint8_t {
-  not_a_disk,
-  swallows_vertex,
-  no_surface_point,
-  too_close,
-  boundary,
-  turned,
-  no_gain,
-  uncovers,
-  crossing,
-  frozen,
+  not_a_disk,        // G1, or the facets of the cavity are no disk
+  swallows_vertex,   // an insertion itself: its cavity has a vertex inside
+  no_surface_point,  // G3
+  too_close,         // an insertion itself: to a vertex of its cavity
+  boundary,          // an operation itself: on the box; or it would collapse an inserted vertex
+  turned,            // G2
+  no_gain,           // G4, or the operation itself: its quantity would not fall
+  uncovers,          // G4: of a removed vertex
+  crossing,          // G5
+  frozen,            // G0, or the operation itself
   count_
 };
 inline constexpr std::size_t kOperations = static_cast<std::size_t>(Operation::count_);

@@ -44,7 +44,6 @@ class BoundaryCurves {
   BoundaryCurves(const Isosurface& surface, std::shared_ptr<const BoundaryLoops> loops)
       : surface_(surface), loops_(std::move(loops)) {}
 
-  std::size_t loop_count() const { return loops_->size(); }
   const BoundaryLoop& loop(std::uint32_t number) const { return (*loops_)[number]; }
   // Returns the point of the curve at a place. pre: place.s is a whole number.
   const Vec3& point(CurvePlace place) const;
@@ -116,10 +115,6 @@ class BoundaryChain {
   }
   std::vector<Link> links_;
 };
-
-// Shortest boundary edge that Stage 2 splits, as a share of r_min. Where the curve turns
-// sharply at an edge of the box, shorter edges would encroach upon each other forever.
-inline constexpr double kShortestBoundaryEdge = 0.25;
 
 // True if p lies strictly inside the ball with diameter ab.
 constexpr bool in_diametral_ball(const Vec3& a, const Vec3& b, const Vec3& p) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The surface, its curves on the box, the parameters and the report, for a stage.
 #pragma once
 
 #include "isosurface/isosurface.h"

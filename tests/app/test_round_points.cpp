@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/random.h"
-#include "base/to_float.h"
 #include "check/place_faults.h"
+#include "io/mesh/to_float.h"
 
 using namespace deliso;
 

@@ -32,7 +32,7 @@ TEST_CASE("a patch finds the point of Sigma that the oracle finds") {
     CHECK(distance(patch.gradient(), surface.gradient(p)) < 1e-12);
     if (n % 3 == 0) direction = patch.gradient();
     const double limit = n % 2 == 0 ? 3 : 0.2;
-    const double d = patch.distance_along(direction, limit, patches);
+    const double d = std::fabs(patch.parameter_along(direction, limit, patches));
     const Vec3 unit = direction / length(direction);
     const auto found = patch.nearest(unit, limit, patches);
     const auto hit = surface.nearest(p, unit, limit, walks);
@@ -51,6 +51,6 @@ TEST_CASE("a patch finds the point of Sigma that the oracle finds") {
   CHECK(own > 1000);
   const PatchAt patch(surface, {4, 2, 6});
   SearchCounters counters;
-  CHECK(patch.distance_along({0, 0, 0}, 9, counters) == kInfinity);
-  CHECK(patch.distance_along({kInfinity, 0, 0}, 9, counters) == kInfinity);
+  CHECK(patch.parameter_along({0, 0, 0}, 9, counters) == kInfinity);
+  CHECK(patch.parameter_along({kInfinity, 0, 0}, 9, counters) == kInfinity);
 }

@@ -46,19 +46,3 @@ TEST_CASE("samples are far where none of all facets is near") {
     }
   }
 }
-
-TEST_CASE("the furthest sample is as far as the nearest of all facets") {
-  for (const int n : {0, 2, 5, 9, 17}) {
-    CAPTURE(n);
-    const Scene scene = some_scene(n);
-    Stage stage(scene, {}, true);
-    stage.r.parameters.refinement[Criterion::distance] = kNotAsked;
-    coarsen(stage.r, used_vertices(stage.mesh) / 2);
-    double furthest2 = 0;
-    for (const Vec3& p : scene.contour.points) {
-      furthest2 = std::max(furthest2, distance2_to_mesh(p, stage.mesh));
-    }
-    CHECK(furthest_distance(stage.mesh, stage.r.facets(), scene.contour.points,
-                            scene.volume.voxel()) == std::sqrt(furthest2));
-  }
-}

@@ -161,3 +161,19 @@ TEST_CASE("coarsening with a bound on the distance ends, at a mesh that is finer
   const std::size_t with_no_bound = left(kNotAsked);
   CHECK(left(0.2) > with_no_bound);
 }
+
+TEST_CASE("the furthest sample is as far as the nearest of all facets") {
+  for (const int n : {0, 2, 5, 9, 17}) {
+    CAPTURE(n);
+    const Scene scene = some_scene(n);
+    Stage stage(scene, {}, true);
+    stage.r.parameters.refinement[Criterion::distance] = kNotAsked;
+    coarsen(stage.r, used_vertices(stage.mesh) / 2);
+    double furthest2 = 0;
+    for (const Vec3& p : scene.contour.points) {
+      furthest2 = std::max(furthest2, distance2_to_mesh(p, stage.mesh));
+    }
+    CHECK(furthest_distance(stage.mesh, stage.r.facets(), scene.contour.points,
+                            scene.volume.voxel()) == std::sqrt(furthest2));
+  }
+}

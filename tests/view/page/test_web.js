@@ -525,7 +525,7 @@ function names_in(file, from, shape) {
 
 test('tables of colors: every operation and criterion, fixed, distinct, not red against green', () => {
   const routines = names_in('view/trace/trace_names.cpp', 'RoutineName names[]', /\{"(\w+)"/g);
-  const operations = names_in('src/surface/report.h', 'kOperationNames', /"(\w+)"/g);
+  const operations = names_in('src/run/report.h', 'kOperationNames', /"(\w+)"/g);
   const reasons = ['Reason', 'PaperReason'].flatMap((kind) =>
     names_in('view/trace/trace_names.cpp', `name_of(${kind} `, /\{"([^"]+)",/g));
   assert.ok(routines.length === 8 && operations.length >= 7 && reasons.length >= 16);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/to_float.h"
+#include "io/mesh/to_float.h"
 
 #include <doctest/doctest.h>
 
