@@ -20,6 +20,8 @@
 namespace deliso {
 namespace {
 
+constexpr std::size_t kMostLines = 1'000'000;
+
 // Returns the choice at the place of `value` in the option's argument, as in "smooth|flat".
 template <class T>
 T choose(std::string_view option, std::string_view value) {
@@ -213,8 +215,8 @@ constexpr OptionSpec kRest[] = {
      "random vertices of the exact contour",
      [](Line& l, Text o, Text v) {
        l.published.lines = parse_count(o, v);
-       if (l.published.lines > paper::kMostLines) {
-         throw InputError(o, " must be at most ", paper::kMostLines);
+       if (l.published.lines > kMostLines) {
+         throw InputError(o, " must be at most ", kMostLines);
        }
      }},
     {"--seed", 0, "N", kMeshAndTrace, "with --paper: of all random numbers (default 1)",

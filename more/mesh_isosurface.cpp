@@ -16,8 +16,8 @@
 #include "more/cap/dissolve.h"
 #include "more/counts/coarsen.h"
 #include "more/counts/mesh_near_count.h"
+#include "more/counts/unrefined.h"
 #include "more/mesh_isosurface.h"
-#include "refine/refine.h"
 #include "run/observer.h"
 
 namespace deliso {

@@ -16,6 +16,9 @@
 namespace deliso {
 namespace {
 
+// Of cones from points next to a face of the box, which are as flat as the face.
+constexpr Gates kFlatConeGates = topology_gates(kAnyFold, false);
+
 // The distance off a face starts at the perturbation, or under a cap at the least distance between
 // facets. It shrinks by this factor after each refusal. A small enough move keeps an embedded mesh
 // embedded.

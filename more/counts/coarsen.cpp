@@ -11,9 +11,9 @@
 #include "base/stopwatch.h"
 #include "base/triangle.h"
 #include "more/counts/orientation.h"
+#include "more/counts/unrefined.h"
 #include "refine/coverage.h"
 #include "refine/operations.h"
-#include "refine/refine.h"
 #include "refine/separate.h"
 
 namespace deliso {

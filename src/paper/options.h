@@ -31,6 +31,4 @@ struct Options {
   Observer* observer = nullptr;
 };
 
-inline constexpr std::size_t kMostLines = 1'000'000;
-
 }  // namespace deliso::paper

@@ -53,8 +53,6 @@ constexpr Gates topology_gates(double least_cosine, bool areas = true) {
   return {least_cosine, false, false, false, areas};
 }
 inline constexpr Gates kTopologyGates = topology_gates(kAnyFold);
-// Of cones from points next to a face of the box, which are as flat as the face.
-inline constexpr Gates kFlatConeGates = topology_gates(kAnyFold, false);
 
 // What comes in place of a cavity. Only a cavity makes one.
 class Proposal {

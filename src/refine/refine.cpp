@@ -363,19 +363,6 @@ std::vector<std::uint8_t> refine_part(SurfaceMesh& mesh, std::span<const Vec3> s
   return RefineGeom(refinement, samples, far).run(std::move(scope.is_done), scope.thins);
 }
 
-void count_unrefined(const SurfaceMesh& s, const Parameters& parameters, Report& report) {
-  std::uint64_t over_limit = 0;
-  report.largest_h = 0;
-  for (FaceId f = 0; f < s.mesh.faces.size(); ++f) {
-    if (is_dead(s.mesh.faces[f])) continue;
-    const FacetShape shape = s.shape(s.mesh.faces[f].v, s.duals[f]);
-    if (shape.r > parameters.r_min) report.largest_h = std::max(report.largest_h, shape.h);
-    over_limit += violation(shape, parameters.refinement) > 1;
-  }
-  report[Counter::unrefined_facets] = over_limit;
-  report.max_distance = parameters.refinement[Criterion::distance];
-}
-
 void refine(SurfaceMesh& mesh, std::span<const Vec3> samples, const Given& given) {
   begin_stage(given.parameters.observer, "refine");
   RefineScope scope;

@@ -39,7 +39,4 @@ struct RefineScope {
 std::vector<std::uint8_t> refine_part(SurfaceMesh& mesh, std::span<const Vec3> samples,
                                       const Given& given, RefineScope scope);
 
-// Sets report.largest_h, the bound on the distance, and the count of facets over a limit.
-void count_unrefined(const SurfaceMesh& mesh, const Parameters& parameters, Report& report);
-
 }  // namespace deliso

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "io/volume/builtin_volume.h"
+#include "more/counts/unrefined.h"
 #include "more/mesh_isosurface.h"
 #include "refine/stage.h"
 
