@@ -16,7 +16,7 @@
 #include "deliso/io/volume/read_volume.h"
 #include "deliso/more/mesh_isosurface.h"
 #include "deliso/run/criteria.h"
-#include "deliso/surface/report.h"
+#include "deliso/run/report.h"
 #include "deliso/view/trace/recorder.h"
 #include "deliso/view/trace/trace_names.h"
 

@@ -14,7 +14,7 @@
 #include "blocks/seams.h"
 #include "more/cap/close_on_box.h"
 #include "more/cap/dissolve.h"
-#include "more/counts/coarsen.h"
+#include "more/counts/merge_vertices.h"
 #include "more/counts/mesh_near_count.h"
 #include "more/counts/unrefined.h"
 #include "more/mesh_isosurface.h"
@@ -56,8 +56,8 @@ TriMesh finish(Block whole, const RunInput& run, const std::optional<Dissolved>&
   report.exact = joined(whole.components, run.source.shape.dims()).topology;
   count_unrefined(whole.mesh, parameters, report);
   if (meets_count(options)) {
-    coarsen_to_target(whole.mesh, whole.samples, options,
-                      {at->surface, {at->surface, whole.loops}, parameters, report});
+    merge_to_count(whole.mesh, whole.samples, options,
+                   {at->surface, {at->surface, whole.loops}, parameters, report});
   }
   report.vertices_refined = whole.mesh.mesh.points.size();
   report.triangles_refined = whole.mesh.mesh.faces.size();

@@ -7,7 +7,7 @@
 namespace deliso {
 namespace {
 
-// A mesh of a desired size is coarsened from one with at least the first of these times as many
+// A mesh of a desired size is made from one with at least the first of these times as many
 // vertices or triangles, and if possible no more than the second: from a finer one it would be
 // worse.
 constexpr double kLeastRatio = 1.3, kMostRatio = 2;

@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-#include "more/counts/coarsen.h"
+#include "more/counts/merge_vertices.h"
 #include "refine/stage.h"
 
 using namespace deliso;
@@ -18,7 +18,7 @@ TEST_CASE("samples are far where none of all facets is near") {
     const Scene scene = some_scene(n);
     Stage stage(scene, {}, true);
     stage.r.parameters.refinement[Criterion::distance] = kNotAsked;
-    coarsen(stage.r, used_vertices(stage.mesh) / 2);  // leaves dead facets
+    merge_vertices(stage.r, used_vertices(stage.mesh) / 2);  // leaves dead facets
     Random random(static_cast<std::uint64_t>(n));
     std::vector<Vec3> samples;
     for (const Vec3& p : scene.contour.points) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Coarsens a mesh to a number of vertices or triangles; src/coarsen is another thing, Stage 1. A
-// vertex is merged into a neighbor, so all vertices stay on Sigma. Each removal is an operation of
+// Merges vertices of a mesh until a number of vertices or triangles is left. A vertex is merged
+// into a neighbor, so all vertices stay on Sigma. Each removal is an operation of
 // Stage 2 and passes its gates, so the topology stays, and no two facets cross. Where no other
 // removal is left, bad shapes are allowed first, then facets without a surface point (G3).
 //
@@ -27,18 +27,18 @@ namespace deliso {
 // passes the gates. A finite bound on the distance is kept, by G4: it may leave many more vertices.
 // Returns how many vertices are left. A removal takes away two triangles, or one on the boundary,
 // so one triangle less than asked for may be left. pre: every vertex has a facet.
-std::size_t coarsen(Refinement& r, std::size_t vertices,
-                    std::size_t triangles = std::numeric_limits<std::size_t>::max());
+std::size_t merge_vertices(Refinement& r, std::size_t vertices,
+                           std::size_t triangles = std::numeric_limits<std::size_t>::max());
 
 // Returns how far the sample is from the mesh that is furthest from it. `resolution`: where the
 // search for a nearest facet begins, about as large as most distances.
 double furthest_distance(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
                          double resolution);
 
-// Coarsens the mesh to the desired numbers of the options, without a bound on the distance, and
+// Merges vertices down to the desired numbers of the options, without a bound on the distance, and
 // keeps facets apart (refine/separate.h). Sets report.max_distance to the distance of the sample
 // that is furthest from the mesh then.
-void coarsen_to_target(SurfaceMesh& mesh, std::span<const Vec3> samples, const Options& options,
-                       const Given& given);
+void merge_to_count(SurfaceMesh& mesh, std::span<const Vec3> samples, const Options& options,
+                    const Given& given);
 
 }  // namespace deliso

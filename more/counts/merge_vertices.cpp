@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "more/counts/coarsen.h"
+#include "more/counts/merge_vertices.h"
 
 #include <algorithm>
 #include <array>
@@ -70,9 +70,9 @@ MergeShape shape_after_merge(const Refinement& r, std::span<const FaceId> star, 
 // distances are up to 1 % larger; with 10, up to 1 % less, in more passes.
 constexpr std::size_t kShare = 3;
 
-class Coarsening {
+class Merging {
  public:
-  explicit Coarsening(Refinement& refinement)
+  explicit Merging(Refinement& refinement)
       : r_(refinement),
         orientation_(refinement),
         quadrics_(r_.mesh.points.size()),
@@ -276,8 +276,8 @@ class Coarsening {
 
 }  // namespace
 
-std::size_t coarsen(Refinement& r, std::size_t vertices, std::size_t triangles) {
-  return Coarsening(r).run(vertices, triangles);
+std::size_t merge_vertices(Refinement& r, std::size_t vertices, std::size_t triangles) {
+  return Merging(r).run(vertices, triangles);
 }
 
 double furthest_distance(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
@@ -293,14 +293,14 @@ double furthest_distance(const TriMesh& mesh, const BoxGrid& grid, std::span<con
   return furthest;
 }
 
-void coarsen_to_target(SurfaceMesh& mesh, std::span<const Vec3> samples, const Options& options,
-                       const Given& given) {
+void merge_to_count(SurfaceMesh& mesh, std::span<const Vec3> samples, const Options& options,
+                    const Given& given) {
   const StepTimer timer(given.report.seconds_refine);
   begin_stage(given.parameters.observer, "thin");
   Parameters parameters = given.parameters;
   parameters.refinement[Criterion::distance] = kNotAsked;
   Refinement r(mesh, {given.surface, given.curves, parameters, given.report});
-  coarsen(r, options.target_vertices, options.target_triangles);
+  merge_vertices(r, options.target_vertices, options.target_triangles);
   separate(r, IdArray<VertexId, std::uint8_t>(mesh.mesh.points.size(), 1));
   count_unrefined(mesh, parameters, given.report);
   given.report.max_distance = furthest_distance(mesh.mesh, r.facets(), samples, parameters.voxel);

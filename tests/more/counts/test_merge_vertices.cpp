@@ -2,7 +2,7 @@
 // Coarsens refined meshes of all kinds, down to the fewest vertices. The mesh keeps its topology,
 // stays embedded, and its vertices stay on Sigma. The least error is removed first.
 #include "cases.h"
-#include "more/counts/coarsen.h"
+#include "more/counts/merge_vertices.h"
 
 #include <doctest/doctest.h>
 
@@ -87,7 +87,7 @@ TEST_CASE("a coarsened mesh is embedded, of the same topology, and has the verti
     const std::size_t closed = closed_components(stage.mesh);
     for (const std::size_t target : {first / 2, first / 4, std::size_t{0}}) {
       CAPTURE(target);
-      const std::size_t left = coarsen(stage.r, target);
+      const std::size_t left = merge_vertices(stage.r, target);
       REQUIRE(stage.fault() == "");
       CHECK(left == used_vertices(stage.mesh));
       CHECK(left >= std::max(target, 4 * closed));
@@ -108,7 +108,7 @@ TEST_CASE("no component is reversed, however few vertices are left") {
     Stage stage(scene, {}, true);
     stage.r.parameters.refinement[Criterion::distance] = kNotAsked;
     const Signs before = signs_of(stage.mesh, scene.volume.box());
-    coarsen(stage.r, 0);
+    merge_vertices(stage.r, 0);
     const Signs after = signs_of(stage.mesh, scene.volume.box());
     for (const auto& [vertex, sign] : after) {
       const auto was = before.find(vertex);
@@ -125,7 +125,7 @@ TEST_CASE("spheres are coarsened to tetrahedra") {
     const Scene scene = builtin_scene(name, 20);
     Stage stage(scene, {}, true);
     stage.r.parameters.refinement[Criterion::distance] = kNotAsked;
-    CHECK(coarsen(stage.r, 0) == 4 * spheres);
+    CHECK(merge_vertices(stage.r, 0) == 4 * spheres);
     CHECK(stage.fault() == "");
   }
 }
@@ -139,7 +139,7 @@ TEST_CASE("what lies in a plane goes first") {
   const Scene scene(Volume::from_samples({12, 12, 12}, {1, 1, 1}, samples), 0.7);
   Stage stage(scene, {}, true);
   stage.r.parameters.refinement[Criterion::distance] = kNotAsked;
-  coarsen(stage.r, 0);
+  merge_vertices(stage.r, 0);
   CHECK(stage.fault() == "");
   CHECK(used_vertices(stage.mesh) <= 16);
   for (const Vec3& p : scene.contour.points) REQUIRE(distance2_to_mesh(p, stage.mesh) < 1e-10);
@@ -152,7 +152,7 @@ TEST_CASE("coarsening with a bound on the distance ends, at a mesh that is finer
   const auto left = [&](double bound) {
     Stage stage(scene, {}, true);
     stage.r.parameters.refinement[Criterion::distance] = bound;
-    const std::size_t vertices = coarsen(stage.r, 0);
+    const std::size_t vertices = merge_vertices(stage.r, 0);
     CHECK(stage.fault() == "");
     CHECK((stage.report[Operation::collapse].refused[static_cast<std::size_t>(Refusal::uncovers)] >
            0) == std::isfinite(bound));
@@ -168,7 +168,7 @@ TEST_CASE("the furthest sample is as far as the nearest of all facets") {
     const Scene scene = some_scene(n);
     Stage stage(scene, {}, true);
     stage.r.parameters.refinement[Criterion::distance] = kNotAsked;
-    coarsen(stage.r, used_vertices(stage.mesh) / 2);
+    merge_vertices(stage.r, used_vertices(stage.mesh) / 2);
     double furthest2 = 0;
     for (const Vec3& p : scene.contour.points) {
       furthest2 = std::max(furthest2, distance2_to_mesh(p, stage.mesh));
