@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A mesh with a few more vertices or triangles than desired: the bound on the distance that gives
-// as many is searched for, block by block. more/counts/merge_vertices.h takes it down to the number.
+// as many is searched for, block by block. more/counts/merge_vertices.h takes it down to the
+// number.
 #pragma once
 
 #include "blocks/mesh_in_blocks.h"
