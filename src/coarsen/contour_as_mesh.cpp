@@ -20,7 +20,7 @@ SurfaceMesh contour_as_mesh(const ContourMesh& contour) {
     places.clear();
     for (const ContourId v : contour.boundary.vertices[loop]) {
       places.push_back({loop, static_cast<double>(vertices.size())});
-      vertices.push_back(VertexId(v.number()));
+      vertices.emplace_back(v.number());
     }
     out.chain.add_loop(vertices, places);
   }

@@ -5,15 +5,8 @@
 
 namespace deliso {
 
-bool Disk::link() {
-  number_corners();
-  if (!link_edges()) return false;
-  // A closed piece besides the disk could make up for a handle: the facets must be one piece.
-  const bool is_euler_of_disk = 2 * corners_.size() == facets.size() + boundary.size() + 2;
-  return boundary.size() >= 3 && is_euler_of_disk && has_one_boundary() && is_one_piece();
-}
-
-void Disk::number_corners() {
+// The steps of link(). Inline: every operation links two disks.
+inline void Disk::number_corners() {
   corners_.clear();
   ends_.clear();
   for (const Triangle& t : facets) {
@@ -27,7 +20,7 @@ void Disk::number_corners() {
   }
 }
 
-bool Disk::link_edges() {
+inline bool Disk::link_edges() {
   across.assign(facets.size(), {kNone, kNone, kNone});
   boundary.clear();
   const std::size_t vertices = corners_.size();
@@ -52,7 +45,7 @@ bool Disk::link_edges() {
   return true;
 }
 
-bool Disk::has_one_boundary() const {
+inline bool Disk::has_one_boundary() const {
   std::size_t length = 0;
   const std::uint32_t first = 3 * boundary[0].facet + static_cast<std::uint32_t>(boundary[0].side);
   for (std::uint32_t e = first; e != kNone && (e != first || length == 0); ++length) {
@@ -61,7 +54,7 @@ bool Disk::has_one_boundary() const {
   return length == boundary.size();
 }
 
-bool Disk::is_one_piece() {
+inline bool Disk::is_one_piece() {
   reached_.assign(1, 0);
   is_reached_.assign(facets.size(), 0);
   is_reached_[0] = 1;
@@ -73,6 +66,14 @@ bool Disk::is_one_piece() {
     }
   }
   return reached_.size() == facets.size();
+}
+
+bool Disk::link() {
+  number_corners();
+  if (!link_edges()) return false;
+  // A closed piece besides the disk could make up for a handle: the facets must be one piece.
+  const bool is_euler_of_disk = 2 * corners_.size() == facets.size() + boundary.size() + 2;
+  return boundary.size() >= 3 && is_euler_of_disk && has_one_boundary() && is_one_piece();
 }
 
 bool Disk::link_cone(const std::vector<BoundaryEdge>& rim, VertexId apex) {

@@ -12,7 +12,6 @@
 namespace deliso::paper {
 
 class Observer;
-struct Report;
 
 struct Options {
   double epsilon = 0.2;   // Recover: largest h/r

@@ -112,7 +112,7 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   SearchCounters& searches = r.report.searches_refine;
   double there = 0;
   // The costs become known facet by facet. False as soon as the cost does not fall far enough.
-  const Refinement::Accept lowers_cost = [&](const Replacement& c) {
+  const auto lowers_cost = [&](const Replacement& c) {
     const std::vector<Triangle>& facets = c.in().facets;
     if (c.duals.empty()) {
       there = cost_of(across, r.point(v));

@@ -62,7 +62,8 @@ class Proposal {
   VertexId vertex = kNoId;             // that comes or moves
   Vec3 place;                          // of it
   std::optional<BoundarySplit> split;  // by the vertex that comes
-  std::vector<Triangle> facets;        // the new disk; none if a vertex moves: the cavity's stay
+  // The new disk. None if a vertex moves: the cavity's stay; or comes: its cone.
+  std::vector<Triangle> facets;
 
  private:
   friend class Cavity;
@@ -114,6 +115,7 @@ struct Replacement {
 
  private:
   friend class Refinement;
+  void fill_cone();  // the cone of the vertex that comes
   Disk in_;
   std::vector<FaceId> across_;  // per boundary edge of in_, as Cavity::across
   // Per boundary edge of the new disk, the facet across it.

@@ -110,7 +110,7 @@ std::optional<Refusal> Refinement::make(Proposal proposal, const Accept& accept)
   DELISO_CHECK(proposal.cavity_ == tried_.cavity.number_);
   Replacement& c = tried_;
   c.proposal = std::move(proposal);
-  c.in_.facets = c.proposal.facets;
+  c.has_new_vertex() ? c.fill_cone() : c.in_.facets.swap(c.proposal.facets);
   c.duals.clear();
   if (leaves_free_box(c)) return Refusal::frozen;
   put_in_place(c);

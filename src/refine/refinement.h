@@ -28,7 +28,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -78,9 +77,22 @@ class Refinement {
   // Returns the cavity of these facets, or null if they are not a disk. It is the only one until
   // the next call, and ends when a proposal for it is made.
   const Cavity* open(std::span<const FaceId> facets);
-  // True while the operation can still lower its quantity. Always, if it has none.
-  using Accept = std::function<bool(const Replacement&)>;
-  static bool always(const Replacement&) { return true; }
+  // True while the operation can still lower its quantity. Always, if it has none. It refers to a
+  // function of the caller.
+  class Accept {
+   public:
+    template <class Function>
+    Accept(const Function& function)
+        : function_(&function), call_([](const void* f, const Replacement& c) {
+            return (*static_cast<const Function*>(f))(c);
+          }) {}
+    bool operator()(const Replacement& c) const { return call_(function_, c); }
+
+   private:
+    const void* function_;
+    bool (*call_)(const void*, const Replacement&);
+  };
+  static constexpr auto always = [](const Replacement&) { return true; };
   // Makes the proposal and returns nullopt, or returns the test that refuses it and changes
   // nothing. accept() is called when the vertex is in its place: first without duals of the new
   // facets, then after each new dual. pre: the proposal is one of the open cavity.

@@ -221,9 +221,11 @@ TEST_CASE(
   }
   SUBCASE("what comes is no disk over that rim") {
     const auto with = [&](auto&& change) {
-      Proposal bad = good();
-      change(bad.facets);
-      return stage.r.make(bad);
+      good();  // opens its cavity
+      const Cavity& cavity = stage.r.tried().cavity;
+      std::vector<Triangle> facets = cavity.disk.facets;
+      change(facets);
+      return stage.r.make(cavity.fill(facets, kInsertionGates));
     };
     CHECK(with([](auto& facets) { facets.pop_back(); }) == Refusal::not_a_disk);
     CHECK(with([](auto& facets) { std::swap(facets[0][0], facets[0][1]); }) == Refusal::not_a_disk);
