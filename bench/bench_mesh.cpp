@@ -16,12 +16,12 @@
 #include "base/check.h"
 #include "base/random.h"
 #include "base/triangle.h"
-#include "blocks/mesh_in_blocks.h"
 #include "check/check_mesh.h"
 #include "contour/contour.h"
 #include "io/volume/builtin_volume.h"
 #include "refine/operations.h"
 #include "run/options.h"
+#include "support/coarsened_contour.h"
 
 using namespace deliso;
 
@@ -40,15 +40,6 @@ Parameters parameters_for(std::size_t count, double area, const Volume& volume) 
   const double of_each = area / static_cast<double>(count);
   options.r_min = {0.125 * std::sqrt(of_each * 2 / std::numbers::sqrt3)};
   return resolve(options, volume);
-}
-
-// The coarsened contour, in one block.
-Block coarsened_contour(const Isosurface& surface, const Parameters& parameters) {
-  const VolumeSource source = source_of(surface.volume());
-  Options options;
-  options.block_side = 0;
-  options.stop_after_stage1 = true;
-  return mesh_in_blocks({source, surface.kappa(), options, parameters}, {}, {});
 }
 
 // Inserts until the mesh has `count` vertices, then that many again at random facets.

@@ -54,10 +54,11 @@ TriMesh finish(Block whole, const RunInput& run, const std::optional<Dissolved>&
   std::optional<BoxSurface> at;
   if (options.cap || meets_count(options)) at.emplace(all_of(run.source), run.kappa);
   report.exact = joined(whole.components, run.source.shape.dims()).topology;
-  count_unrefined(whole.mesh, parameters, report);
   if (meets_count(options)) {
     merge_to_count(whole.mesh, whole.samples, options,
                    {at->surface, {at->surface, whole.loops}, parameters, report});
+  } else {
+    count_unrefined(whole.mesh, parameters, report);
   }
   report.vertices_refined = whole.mesh.mesh.points.size();
   report.triangles_refined = whole.mesh.mesh.faces.size();

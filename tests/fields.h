@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/random.h"
-#include "blocks/mesh_in_blocks.h"
 #include "contour/contour.h"
 #include "io/volume/builtin_volume.h"
 #include "isosurface/isosurface.h"
@@ -37,15 +36,6 @@ inline Options paper_criteria() {
   options.limits[Criterion::distance] = {Options::kNone, Length::Unit::world};
   options.r_min = {0.001, Length::Unit::box};
   return options;
-}
-
-// The coarsened contour, in one block.
-inline Block stage1_of(const Scene& scene, const Parameters& parameters) {
-  const VolumeSource source = source_of(scene.volume);
-  Options options;
-  options.block_side = 0;
-  options.stop_after_stage1 = true;
-  return mesh_in_blocks({source, scene.surface.kappa(), options, parameters}, {}, {});
 }
 
 inline Scene builtin_scene(const std::string& name, int size) {

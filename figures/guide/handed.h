@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "blocks/mesh_in_blocks.h"
 #include "contour/contour.h"
 #include "io/volume/builtin_volume.h"
 #include "run/options.h"
+#include "support/coarsened_contour.h"
 #include "surface/given.h"
 
 namespace deliso::guide {
@@ -29,19 +29,10 @@ struct Handed {
         contour(build_contour(volume, kappa)),
         surface(volume, kappa),
         parameters(resolve(options, volume)),
-        coarsened(stage1()),
+        coarsened(coarsened_contour(surface, parameters)),
         curves(surface, coarsened.loops) {}
 
   Given given() { return {surface, curves, parameters, report}; }
-
- private:
-  Block stage1() const {
-    const VolumeSource source = source_of(volume);
-    Options options;
-    options.block_side = 0;
-    options.stop_after_stage1 = true;
-    return mesh_in_blocks({source, kappa, options, parameters}, {}, {});
-  }
 };
 
 }  // namespace deliso::guide

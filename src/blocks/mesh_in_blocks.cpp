@@ -129,7 +129,8 @@ void PartInBlocks::for_each_block(const RunInput& run, Work&& work) {
   });
 }
 
-// Returns per block which of its components are kept; empty: all are.
+// Returns per block which of its components are kept; empty: all are. Counts the others in
+// skipped_.
 std::vector<std::vector<std::uint8_t>> PartInBlocks::choose_components(const RunInput& run) {
   if (blocks_.empty() || (kept_.empty() && run.options.components.is_all())) return {};
   std::vector<SampleBox> boxes;

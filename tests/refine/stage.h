@@ -13,6 +13,7 @@
 
 #include "base/random.h"
 #include "base/triangle.h"
+#include "bench/support/coarsened_contour.h"
 #include "cases.h"
 #include "check/check_mesh.h"
 #include "embedding/all_crossings.h"
@@ -157,7 +158,7 @@ class Stage {
   explicit Stage(const Scene& of, const Options& options = {}, bool refined = false)
       : scene(of),
         parameters(resolve(options, of.volume)),
-        coarsened(stage1_of(of, parameters)),
+        coarsened(coarsened_contour(of.surface, parameters)),
         curves(of.surface, coarsened.loops),
         surface_mesh(coarsened.mesh),
         mesh(refined ? refined_mesh() : surface_mesh.mesh),
