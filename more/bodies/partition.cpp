@@ -5,85 +5,160 @@
 #include <cmath>
 #include <utility>
 
+#include "base/parallel.h"
+
 namespace deliso {
 namespace {
 
-constexpr double kOutside = -1e30;  // less than any field
+// How far the border at a face of the box lies within it, in samples: none of it lies beyond.
+constexpr float kWithin = 1e-6F;
+
+bool is_in(const Volume& block, Index3 sample) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int n = sample[axis] - block.first()[axis];
+    if (n < 0 || n >= block.dims()[axis]) return false;
+  }
+  return true;
+}
 
 }  // namespace
 
-Partition::Partition(std::vector<BodyField> fields) : fields_(std::move(fields)) {
-  for (const BodyField& field : fields_) {
-    const Box3 box = field.volume.box();
-    boxes_.push_back({box.lo + field.offset, box.hi + field.offset});
-  }
+Partition::Partition(const Volume& shape, std::vector<Volume> fields, BodyId background,
+                     int threads)
+    : shape_(shape),
+      fields_(std::move(fields)),
+      background_(background),
+      body_(shape.sample_count(), 0) {
+  const Index3 n = shape.dims();
+  for_each_task(threads, static_cast<std::size_t>(n.k), [&](std::size_t slice) {
+    const int k = static_cast<int>(slice);
+    std::vector<float> most(static_cast<std::size_t>(n.i) * static_cast<std::size_t>(n.j), -1);
+    for (BodyId body = 0; body < size(); ++body) {
+      const Volume& f = fields_[body];
+      const Index3 first = f.first(), dims = f.dims();
+      if (k < first.k || k >= first.k + dims.k) continue;
+      f.visit([&](const auto* values) {
+        for (int j = 0; j < dims.j; ++j) {
+          const auto* row = values + f.index(0, j, k - first.k);
+          const std::size_t at = shape_.index(first.i, first.j + j, k);
+          float* best = &most[shape_.index(first.i, first.j + j, 0)];
+          for (int i = 0; i < dims.i; ++i) {
+            const auto value = static_cast<float>(row[i]);
+            if (value > best[i]) {
+              best[i] = value;
+              body_[at + static_cast<std::size_t>(i)] = body;
+            }
+          }
+        }
+      });
+    }
+  });
+}
+
+std::array<BodyId, 2> Partition::in_order(BodyId a, BodyId b) const {
+  if (is_beyond(a) || is_beyond(b)) return {std::max(a, b), std::min(a, b)};
+  if (a == background_ || b == background_) return {background_, a == background_ ? b : a};
+  return {std::max(a, b), std::min(a, b)};
+}
+
+double Partition::value(BodyId body, Index3 sample) const {
+  const Volume& f = fields_[body];
+  if (!is_in(f, sample)) return 0;
+  const Index3 first = f.first();
+  return f.sample(sample.i - first.i, sample.j - first.j, sample.k - first.k);
 }
 
 double Partition::value(BodyId body, const Vec3& p) const {
-  return boxes_[body].contains(p) ? fields_[body].value(p) : kOutside;
+  return fields_[body].box().contains(p) ? fields_[body].value(p) : 0;
 }
 
-Partition::Ranking Partition::rank(const Vec3& p) const {
-  Ranking best;
-  for (BodyId body = 0; body < size(); ++body) {
-    const double f = value(body, p);
-    if (f == kOutside) continue;
-    std::size_t place = best.count;
-    while (place > 0 && best.value[place - 1] < f) --place;
-    if (place == Ranking::kMost) continue;
-    best.count = std::min(best.count + 1, Ranking::kMost);
-    for (std::size_t n = best.count - 1; n > place; --n) {
-      best.value[n] = best.value[n - 1];
-      best.body[n] = best.body[n - 1];
+Vec3 Partition::gradient(BodyId body, const Vec3& p) const {
+  return fields_[body].box().contains(p) ? fields_[body].gradient(p) : Vec3();
+}
+
+std::vector<std::uint64_t> Partition::samples() const {
+  std::vector<std::uint64_t> count(size());
+  for (const BodyId body : body_) ++count[body];
+  return count;
+}
+
+Volume Partition::difference(std::array<BodyId, 2> bodies, const SampleBox& box) const {
+  const auto [in_front, behind] = bodies;
+  SampleBox of = box;
+  if (is_beyond(in_front)) {  // the voxels at the face
+    const int axis = static_cast<int>(in_front - size()) / 2;
+    const bool is_high = (in_front - size()) % 2 != 0;
+    of = {{0, 0, 0}, {1, 1, 1}};
+    if (is_high) {
+      of.end[axis] = shape_.dims()[axis] - 1;
+      of.begin[axis] = of.end[axis] - 1;
     }
-    best.value[place] = f;
-    best.body[place] = body;
+    std::vector<float> samples;
+    for (int m = 0; m < 8; ++m) {
+      samples.push_back(((m >> axis & 1) != 0) == is_high ? -kWithin : 1 - kWithin);
+    }
+    return Volume::from_samples({2, 2, 2}, shape_.spacing(), samples, shape_.frame())
+        .as_block(of.begin, shape_.dims());
   }
-  return best;
-}
-
-BodyId Partition::body_at(const Vec3& p) const {
-  const Ranking best = rank(p);
-  return best.count > 0 ? best.body[0] : 0;
-}
-
-std::optional<Vec3> Partition::tie(const Vec3& from, std::span<const BodyId> bodies,
-                                   double within) const {
-  constexpr int kMostSteps = 40;
-  const double voxel = volume().voxel();
-  Vec3 p = from;
-  for (int n = 0; n < kMostSteps; ++n) {
-    const double f = value(bodies[0], p);
-    const Vec3 gradient = fields_[bodies[0]].gradient(p);
-    // Gram-Schmidt over the gradients of the differences.
-    std::array<Vec3, 3> axes;
-    std::array<double, 3> along{};
-    Vec3 step;
-    for (std::size_t m = 1; m < bodies.size(); ++m) {
-      Vec3 row = fields_[bodies[m]].gradient(p) - gradient;
-      double wanted = f - value(bodies[m], p);
-      for (std::size_t l = 1; l < m; ++l) {
-        const double share = dot(row, axes[l - 1]);
-        row = row - share * axes[l - 1];
-        wanted -= share * along[l - 1];
+  const Index3 n = of.dims();
+  std::vector<float> samples(static_cast<std::size_t>(n.i) * static_cast<std::size_t>(n.j) *
+                             static_cast<std::size_t>(n.k));
+  for (const auto& [body, sign] : {std::pair{behind, 1.0F}, std::pair{in_front, -1.0F}}) {
+    const Volume& f = fields_[body];
+    const Index3 first = f.first();
+    Index3 lo, hi;  // of the samples in both
+    for (int axis = 0; axis < 3; ++axis) {
+      lo[axis] = std::max(of.begin[axis], first[axis]);
+      hi[axis] = std::min(of.end[axis] + 1, first[axis] + f.dims()[axis]);
+    }
+    f.visit([&](const auto* values) {
+      for (int k = lo.k; k < hi.k; ++k) {
+        for (int j = lo.j; j < hi.j; ++j) {
+          float* to = &samples[static_cast<std::size_t>(n.i) *
+                               (static_cast<std::size_t>(j - of.begin.j) +
+                                static_cast<std::size_t>(n.j) *
+                                    static_cast<std::size_t>(k - of.begin.k))];
+          const auto* from = values + f.index(0, j - first.j, k - first.k);
+          for (int i = lo.i; i < hi.i; ++i) {
+            to[i - of.begin.i] += sign * static_cast<float>(from[i - first.i]);
+          }
+        }
       }
-      const double norm = length(row);
-      if (!(norm * voxel > 1e-6) || !(std::fabs(wanted) < 1e6)) return std::nullopt;
-      axes[m - 1] = row / norm;
-      along[m - 1] = wanted / norm;
-      step = step + along[m - 1] * axes[m - 1];
-    }
-    const double size = length(step);
-    if (size < 1e-6 * voxel) return p;
-    p = p + std::min(1.0, 0.4 * voxel / size) * step;
-    if (!(distance2(p, from) <= within * within)) return std::nullopt;
+    });
   }
-  return std::nullopt;
+  return Volume::from_samples(n, shape_.spacing(), samples, shape_.frame())
+      .as_block(of.begin, shape_.dims());
 }
 
-double Partition::distance_to_tie(const Vec3& p, BodyId a, BodyId b) const {
-  const double slope = length(fields_[a].gradient(p) - fields_[b].gradient(p));
-  return std::fabs(value(a, p) - value(b, p)) / std::max(slope, 0.01 / volume().voxel());
+std::optional<Vec3> Partition::step_to_tie(const Vec3& p, std::span<const BodyId> bodies,
+                                           unsigned faces) const {
+  const double voxel = shape_.voxel(), f = value(bodies[0], p);
+  const Vec3 gradient = this->gradient(bodies[0], p);
+  const auto flat = [&](Vec3 v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((faces >> (2 * axis) & 3) != 0) v[axis] = 0;
+    }
+    return v;
+  };
+  // Gram-Schmidt over the gradients of the differences.
+  std::array<Vec3, 3> axes;
+  std::array<double, 3> along{};
+  Vec3 step;
+  for (std::size_t m = 1; m < bodies.size(); ++m) {
+    Vec3 row = flat(this->gradient(bodies[m], p) - gradient);
+    double wanted = f - value(bodies[m], p);
+    for (std::size_t l = 1; l < m; ++l) {
+      const double share = dot(row, axes[l - 1]);
+      row = row - share * axes[l - 1];
+      wanted -= share * along[l - 1];
+    }
+    const double norm = length(row);
+    if (!(norm * voxel > 1e-6)) return std::nullopt;
+    axes[m - 1] = row / norm;
+    along[m - 1] = wanted / norm;
+    step = step + along[m - 1] * axes[m - 1];
+  }
+  return step;
 }
 
 }  // namespace deliso

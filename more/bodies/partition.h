@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Space divided among bodies. Each has a field, and a point belongs to the body with the largest
-// one. Where two bodies alone are near, the fields are opposite in sign and the bodies border on
-// one surface. Where three are, all fields may be negative; the largest decides all the same, so no
-// point is without a body.
+// one: of equal ones to that with the smaller number. Beyond the box of samples lie six more
+// bodies, one behind each face, so that every body is bounded.
 #pragma once
 
 #include <array>
@@ -11,53 +10,56 @@
 #include <span>
 #include <vector>
 
+#include "base/box3.h"
+#include "base/ids.h"
 #include "base/vec3.h"
 #include "volume/volume.h"
+#include "volume/volume_source.h"
 
 namespace deliso {
 
 using BodyId = std::uint32_t;
 
-// The field of a body, in a box whose first sample lies at `offset`. Beyond it the field is less
-// than any other.
-struct BodyField {
-  Volume volume;
-  Vec3 offset;
-
-  double value(const Vec3& p) const { return volume.value(p - offset); }
-  Vec3 gradient(const Vec3& p) const { return volume.gradient(p - offset); }
-};
-
 class Partition {
  public:
-  // The first field is that of the background, and has all samples.
-  explicit Partition(std::vector<BodyField> fields);
+  // `shape`: of the whole; its samples are not read. The field of a body is a block of it, in
+  // float32. It is not negative, and 0 beyond the block. `background`: a body that has no caps, and
+  // is in front of all others; kNoId: none.
+  Partition(const Volume& shape, std::vector<Volume> fields, BodyId background, int threads);
 
-  // The bodies with the largest fields at a point, the largest first.
-  struct Ranking {
-    static constexpr std::size_t kMost = 4;
-    std::array<BodyId, kMost> body;
-    std::array<double, kMost> value;
-    std::size_t count = 0;
-  };
-  Ranking rank(const Vec3& p) const;
-  // Returns the body of p: the background outside the box.
-  BodyId body_at(const Vec3& p) const;
+  std::size_t size() const { return fields_.size(); }  // bodies
+  const Volume& shape() const { return shape_; }
+  BodyId background() const { return background_; }
+  // The body behind face f of the box (base/box3.h).
+  BodyId beyond(int f) const { return static_cast<BodyId>(size()) + static_cast<BodyId>(f); }
+  bool is_beyond(BodyId body) const { return body >= size(); }
+  // Returns the two in the order {in front, behind} of a facet between them: beyond the box is in
+  // front, then the background, then the larger number.
+  std::array<BodyId, 2> in_order(BodyId a, BodyId b) const;
 
-  // Returns a point where the fields of these bodies are equal, found from p by Newton's method in
-  // the space that their differences span. Nothing if there is none within `within`.
-  std::optional<Vec3> tie(const Vec3& p, std::span<const BodyId> bodies, double within) const;
-  // Returns the distance of p from where the fields of a and b are equal, to first order.
-  double distance_to_tie(const Vec3& p, BodyId a, BodyId b) const;
+  BodyId body_at(Index3 sample) const { return body_[shape_.index(sample.i, sample.j, sample.k)]; }
+  double value(BodyId body, Index3 sample) const;
+  double value(BodyId body, const Vec3& p) const;
+  Vec3 gradient(BodyId body, const Vec3& p) const;
+  // Returns how many samples belong to each body.
+  std::vector<std::uint64_t> samples() const;
 
-  std::size_t size() const { return fields_.size(); }
-  const Volume& volume() const { return fields_[0].volume; }
+  // Returns the field of `behind` less that of `in_front` at the samples of a box, as a block of
+  // the whole: their border is where it is 0. Of a body beyond the box, the distance from its face,
+  // in samples, less a little: the border lies there.
+  Volume difference(std::array<BodyId, 2> bodies, const SampleBox& box) const;
+
+  // The step from p towards where the fields of two or three bodies are equal, within the faces of
+  // the box named in `faces`: Newton's, in the space that the gradients of their differences span.
+  // Nothing where these are nearly dependent.
+  std::optional<Vec3> step_to_tie(const Vec3& p, std::span<const BodyId> bodies,
+                                  unsigned faces) const;
 
  private:
-  double value(BodyId body, const Vec3& p) const;
-
-  std::vector<BodyField> fields_;
-  std::vector<Box3> boxes_;
+  Volume shape_;
+  std::vector<Volume> fields_;
+  BodyId background_;
+  std::vector<BodyId> body_;  // per sample
 };
 
 }  // namespace deliso
