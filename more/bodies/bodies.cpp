@@ -18,7 +18,7 @@
 namespace deliso {
 namespace {
 
-constexpr int kUsualSide = 32;  // of a region, in voxels
+constexpr int kUsualSide = 16;  // of a region, in voxels
 
 class Builder {
  public:
@@ -32,8 +32,9 @@ class Builder {
   }
 
   InterfaceMesh run() {
-    begin_stage(options_.observer, "coarsen");
+    begin_stage(options_.observer, "labels");
     make_sheets();
+    begin_stage(options_.observer, "coarsen");
     for (int shift = 1; shift < Regions::kShifts; ++shift) change(shift, coarsen_sheets);
     report_.vertices_coarsened = sheets_.points.size();
     for (SheetFacet& f : sheets_.facets) f.is_done = false;
@@ -142,7 +143,7 @@ class Builder {
       for (const SheetFacet& f : sheets_.facets) {
         if (partition_.is_beyond(f.bodies[0]) != is_beyond) continue;
         if (is_beyond && f.bodies[1] == partition_.background()) continue;
-        InterfaceFacet& facet = mesh_.facets.emplace_back(f.v, f.bodies);
+        InterfaceFacet& facet = mesh_.facets.emplace_back(InterfaceFacet{f.v, f.bodies});
         for (VertexId& v : facet.v) {
           if (id[v] == kNoId) {
             id[v] = VertexId(mesh_.points.size());

@@ -33,6 +33,7 @@ constexpr double kSharpestKink = 0.35;
 // longest step, in the nearer neighbor's distance.
 constexpr int kCurveSteps = 2;
 constexpr double kLongestStep = 0.7;
+constexpr int kNewtonSteps = 4;
 
 // Attempts. Each keeps the vertices so many voxels around the faults of those before; after the
 // last all stay.
@@ -496,17 +497,20 @@ class SheetCoarsener {
     for (int axis = 0; axis < 3; ++axis) {
       if ((at.faces >> (2 * axis) & 3) != 0) to[axis] = from[axis];
     }
-    for (int n = 0; n < 4; ++n) {
+    for (int n = 0; n < kNewtonSteps; ++n) {
       const auto step = scope_.partition.step_to_tie(to, at.bodies, at.faces);
       if (!step || length(*step) > scope_.parameters.voxel) return std::nullopt;
       to = to + *step;
-      if (length2(*step) < 1e-6 * reach * reach) break;
+      if (length(*step) < kLeastMove * scope_.distance) break;
     }
     const double size = distance(to, from);
+    if (size < kLeastMove * scope_.distance) return std::nullopt;
     if (size > reach) to = from + reach / size * (to - from);
-    const double before = std::max(distance_to(at, a, from), distance_to(at, from, b));
-    const double after = std::max(distance_to(at, a, to), distance_to(at, to, b));
-    return after <= std::max(before, scope_.distance) ? std::optional(to) : std::nullopt;
+    const auto off = [&](const Vec3& p) {
+      return std::max(distance_to(at, 0.5 * (a + p)), distance_to(at, 0.5 * (p + b)));
+    };
+    const double after = off(to);
+    return after <= scope_.distance || after <= off(from) ? std::optional(to) : std::nullopt;
   }
 
   // Of two angles that sum to more than pi one is obtuse, and no facet has two obtuse angles.

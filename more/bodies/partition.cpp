@@ -32,7 +32,7 @@ Partition::Partition(const Volume& shape, std::vector<Volume> fields, BodyId bac
   const Index3 n = shape.dims();
   for_each_task(threads, static_cast<std::size_t>(n.k), [&](std::size_t slice) {
     const int k = static_cast<int>(slice);
-    std::vector<float> most(static_cast<std::size_t>(n.i) * static_cast<std::size_t>(n.j), -1);
+    std::vector<float> most(static_cast<std::size_t>(n.i) * static_cast<std::size_t>(n.j), 0);
     for (BodyId body = 0; body < size(); ++body) {
       const Volume& f = fields_[body];
       const Index3 first = f.first(), dims = f.dims();

@@ -33,9 +33,7 @@ class Surfaces {
   }
 
   SurfaceCounts count() {
-    for (FaceId f = 0; f < cut_.mesh.faces.size(); ++f) {
-      if (is_counted(cut_.sheet[f])) add_facet(f);
-    }
+    for (FaceId f = 0; f < cut_.mesh.faces.size(); ++f) add_facet(f);
     IdArray<VertexId, std::uint8_t> is_seen(key_.size());
     for (VertexId c = 0; c < cut_.vertex.size(); ++c) {
       if (std::exchange(is_seen[cut_.vertex[c]], 1) == 0) join_copies(c);
@@ -45,11 +43,13 @@ class Surfaces {
   }
 
  private:
-  bool is_counted(std::uint32_t sheet) const {
-    return is_closed_ || !partition_.is_beyond(cut_.sheets[sheet][0]);
-  }
+  // True if the body's surface goes on along the box.
+  bool has_caps(BodyId body) const { return is_closed_ && body != partition_.background(); }
+  // True if the sheet is part of the surface of the body on that side.
   bool is_counted(std::uint32_t sheet, std::size_t side) const {
-    return is_counted(sheet) && !partition_.is_beyond(cut_.sheets[sheet][side]);
+    const auto& bodies = cut_.sheets[sheet];
+    return side == 1 ? !partition_.is_beyond(bodies[0]) || has_caps(bodies[1])
+                     : !partition_.is_beyond(bodies[0]);
   }
 
   // A facet has three halves of edges on each side, and another for each end of the surface.
@@ -57,11 +57,12 @@ class Surfaces {
     const Face& face = cut_.mesh.faces[f];
     for (std::size_t side = 0; side < 2; ++side) {
       if (!is_counted(cut_.sheet[f], side)) continue;
-      std::int64_t& twice = counts_.twice_euler[cut_.sheets[cut_.sheet[f]][side]];
+      const BodyId body = cut_.sheets[cut_.sheet[f]][side];
+      std::int64_t& twice = counts_.twice_euler[body];
       twice += 2 - 3;
       joined_.unite(node(face.v[0], side), node(face.v[1], side));
       joined_.unite(node(face.v[0], side), node(face.v[2], side));
-      for (std::size_t i = 0; i < 3 && !is_closed_; ++i) {
+      for (std::size_t i = 0; i < 3 && !has_caps(body); ++i) {
         const VertexId a = face.v[(i + 1) % 3], b = face.v[(i + 2) % 3];
         if (face.n[i] != kNoId || !on_one_face(cut_.mesh.points[a], cut_.mesh.points[b], box_)) {
           continue;

@@ -27,8 +27,8 @@ struct SurfaceCounts {
   std::vector<Shared> shared;
 };
 
-// `is_closed`: facets on the box are part of the surfaces; otherwise these end there. `key`: per
-// vertex.
+// `is_closed`: facets on the box are part of the surfaces, but of the background's; otherwise these
+// end there. `key`: per vertex.
 SurfaceCounts count_surfaces(const Sheets& sheets, const Partition& partition, bool is_closed,
                              std::span<const std::uint64_t> key);
 

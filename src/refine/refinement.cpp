@@ -67,6 +67,15 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Given& given, const Free
     component_size_.resize(std::max<std::size_t>(component_size_.size(), component + 1));
     ++component_size_[component];
   }
+  for (FaceId f = 0; f < free_box.first_free; ++f) {
+    const Face& face = mesh.faces[f];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const VertexId a = face.v[(i + 1) % 3], b = face.v[(i + 2) % 3];
+      if (face.n[i] != kNoId || !s.chain.is_boundary(a) || !s.chain.is_boundary(b)) continue;
+      frozen_sides_.push_back({std::minmax({a, b}), face.v[i]});
+    }
+  }
+  std::ranges::sort(frozen_sides_, {}, &FrozenSide::edge);
   const IdArray<VertexId, std::uint8_t> is_used = mesh.used_vertices();
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
     if (is_used[v]) vertices_.add(v, vertices_.box_of(point(v)));

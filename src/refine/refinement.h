@@ -31,6 +31,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "embedding/box_grid.h"
@@ -154,9 +155,12 @@ class Refinement {
   std::ptrdiff_t facets_without_point(const Replacement& c) const;
   bool keeps_manifold(Replacement& c);
   bool is_joined_outside(VertexId a, VertexId b, const Replacement& c);
-  template <class Visit>
-  bool any_frozen_at(VertexId a, VertexId b, Visit&& visit) const;
-  bool has_frozen_edge(VertexId a, VertexId b) const;
+  // A side of a frozen facet of another sheet, that ends where the mesh does (more/bodies).
+  struct FrozenSide {
+    std::pair<VertexId, VertexId> edge;  // the smaller number first
+    VertexId apex;
+  };
+  std::span<const FrozenSide> frozen_at(VertexId a, VertexId b) const;
   bool passes_sheet(const Replacement& c) const;
   // True if an edge between them would lie in an inner face of the block: only the seam does.
   bool joins_on_seam(VertexId a, VertexId b) const;
@@ -181,6 +185,7 @@ class Refinement {
   IdArray<FaceId, std::uint32_t> component_;   // per facet, the component that has it
   std::vector<std::uint32_t> component_size_;  // facets of each
 
+  std::vector<FrozenSide> frozen_sides_;  // sorted
   Replacement tried_;
   bool is_counted_ = true;            // its outcome
   std::vector<std::uint32_t> marks_;  // per facet, the number of the last cavity that had it
