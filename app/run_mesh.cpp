@@ -51,17 +51,6 @@ void require_isovalue_in_range(double isovalue, const ValueRange& range) {
                    isovalue <= range.min ? "inside" : "outside", " (--allow-empty accepts that)");
 }
 
-// Warns in one line before a run that may need much time and memory. Throws an InputError before an
-// impossible one.
-void warn_of_size(double vertices, const Warn& warn) {
-  if (vertices <= kManyVertices) return;
-  const std::string words = text("about ", grouped(static_cast<std::uint64_t>(vertices / 1e6)),
-                                 " million vertices are to be expected; a larger --max-distance or "
-                                 "--rmin, or --vertices N, gives fewer");
-  if (vertices > kMaxVertices) throw InputError("too large: ", words);
-  warn(words);
-}
-
 // Returns the facets from `begin` to `end`, with the same vertices.
 TriMesh part_of(const TriMesh& mesh, std::size_t begin, std::size_t end) {
   const std::vector<Triangle> all = mesh.triangles();
@@ -187,6 +176,15 @@ TriMesh make_mesh(MeshRun& run, Progress& progress, const Warn& warn) {
 }
 
 }  // namespace
+
+void warn_of_size(double vertices, const Warn& warn) {
+  if (vertices <= kManyVertices) return;
+  const std::string words = text("about ", grouped(static_cast<std::uint64_t>(vertices / 1e6)),
+                                 " million vertices are to be expected; a larger --max-distance or "
+                                 "--rmin, or --vertices N, gives fewer");
+  if (vertices > kMaxVertices) throw InputError("too large: ", words);
+  warn(words);
+}
 
 MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
   const CommandLine& line = run.line;
