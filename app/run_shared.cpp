@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // deliso mesh --label all --shared FILE: the files of labels that share their interfaces.
-#include <algorithm>
 #include <span>
 #include <string>
 #include <utility>
@@ -14,22 +13,14 @@
 #include "app/shared_labels.h"
 #include "app/signals.h"
 #include "base/stopwatch.h"
-#include "base/text.h"
 
 namespace deliso {
 namespace {
 
-// Returns how many facets of the label's mesh are not on the box.
-std::size_t surface_facets(const SharedRun& run, BodyId body) {
-  const auto inner = std::span(run.mesh.facets).first(run.mesh.inner_facets);
-  return static_cast<std::size_t>(std::ranges::count_if(inner, [&](const InterfaceFacet& facet) {
-    return facet.bodies[0] == body || facet.bodies[1] == body;
-  }));
-}
-
 // Writes the mesh of each label into its own file, or all into one, if the line has an output.
 void write_label_meshes(const SharedRun& run, std::span<const CommandLine> lines) {
   if (run.line.output.empty()) return;
+  const MeshWriteOptions united = united_options(run);
   std::vector<MeshObject> objects;
   std::vector<std::int64_t> labels;
   auto one = lines.begin();
@@ -38,9 +29,9 @@ void write_label_meshes(const SharedRun& run, std::span<const CommandLine> lines
     if (label == 0) continue;
     TriMesh mesh = run.mesh.mesh_of(body);
     mesh.frame = run.input.volume().frame();
-    MeshWriteOptions write = one->write;
-    write.comment = text("deliso label=", label, " of ", run.line.shared);
-    if (run.line.options.cap) write.first_cap = surface_facets(run, body);
+    MeshWriteOptions write = options_of_label(united, label);
+    write.format = one->write.format;
+    write.name = one->write.name;
     if (in_one_file(run.line)) {
       objects.push_back({std::move(mesh), write});
       labels.push_back(label);

@@ -15,6 +15,7 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "base/triangle.h"
+#include "base/version.h"
 #include "check/check_mesh.h"
 #include "io/files/input_file.h"
 #include "io/files/text_scan.h"
@@ -22,6 +23,8 @@
 
 namespace deliso {
 namespace {
+
+constexpr std::string_view kAllLabels = " label=all";  // at the end of the file's comment
 
 using Warn = std::function<void(const std::string&)>;
 
@@ -243,9 +246,25 @@ TriMesh united_mesh(const SharedRun& run) {
 MeshWriteOptions united_options(const SharedRun& run) {
   MeshWriteOptions write = run.line.write;
   if (!run.line.shared.empty()) write.format = mesh_format_of(run.line.shared);
-  write.comment = "deliso label=all, two labels for each facet";
+  write.comment = text("deliso ", kVersion, " shared",
+                       field_note(run.line.field, run.input.volume()), kAllLabels);
   write.sides = run.sides;
   if (run.line.options.cap) write.first_cap = run.mesh.inner_facets;
+  return write;
+}
+
+MeshWriteOptions options_of_label(const MeshWriteOptions& united, std::int64_t label) {
+  MeshWriteOptions write = united;
+  if (write.comment.ends_with(kAllLabels)) {
+    write.comment.resize(write.comment.size() - kAllLabels.size());
+    write.comment += text(" label=", label);
+  }
+  if (write.first_cap) {
+    write.first_cap = static_cast<std::size_t>(std::ranges::count_if(
+        std::span(united.sides).first(*united.first_cap),
+        [&](const auto& sides) { return sides[0] == label || sides[1] == label; }));
+  }
+  write.sides.clear();
   return write;
 }
 

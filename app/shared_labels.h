@@ -70,6 +70,8 @@ void make_shared_mesh(SharedRun& run, Progress& progress,
 // manifold where three labels meet.
 TriMesh united_mesh(const SharedRun& run);
 MeshWriteOptions united_options(const SharedRun& run);
+// Returns how the mesh of one label of it is written.
+MeshWriteOptions options_of_label(const MeshWriteOptions& united, std::int64_t label);
 
 // For a number that was asked for. The topology is that of all labels together.
 CountedMesh counted_mesh(const SharedRun& run);
