@@ -10,7 +10,7 @@
 namespace deliso {
 namespace {
 
-constexpr char kColumns[] = "%10s %11s %8s %9s %9s %12s %12s %10s %10s %6s %5s %9s %8s%s\n";
+constexpr char kColumns[] = "%7s %11s %7s %9s %9s %12s %12s %10s %10s %6s %5s %9s %7s%s\n";
 
 }  // namespace
 

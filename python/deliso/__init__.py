@@ -407,10 +407,9 @@ class Mesh:
     def __reduce__(self):
         others = ("report", "warnings", "comment", "name", "names", "space", "first_cap")
         others += ("single_precision",)
-        remade = ("_handle", "_data", "vertices", "triangles", "normals", "labels")
+        remade = ("_handle", "_data", "vertices", "triangles", "normals")
         state = {name: value for name, value in vars(self).items() if name not in remade}
-        others = {n: getattr(self._data, n) for n in others}
-        return _from_data, (self._views(), others, type(self), getattr(self, "labels", None)), state
+        return _from_data, (self._views(), {n: getattr(self._data, n) for n in others}), state
 
     def save(self, path: Union[str, os.PathLike]) -> None:
         """Writes any of the program's formats, by the path's ending, whole or not at all: .ply,
@@ -477,6 +476,10 @@ class SharedLabels(Mesh):
         self.labels = self._view(data.sides, data.triangle_count, ctypes.c_int32, 2)
         told = self.report.get("labels", [])
         self.topology = {label["label"]: label["topology"] for label in told}
+
+    def __reduce__(self):
+        make, arguments, state = super().__reduce__()
+        return make, (*arguments, SharedLabels, state.pop("labels")), state
 
     def keys(self):
         """The labels but 0, ascending."""
@@ -691,6 +694,10 @@ def _from_data(arrays, others, kind=Mesh, labels=None):
     vertices, triangles, normals = arrays
     if len(normals) not in (0, len(vertices)):
         raise Error("a mesh has a normal for each vertex, or none")
+    if labels is not None:
+        labels = numpy.ascontiguousarray(labels, "i4")
+        if labels.shape != (len(triangles), 2):
+            raise Error("a triangle has two labels")
     data = _MeshData(
         vertices=vertices.ctypes.data,
         vertex_count=len(vertices),
