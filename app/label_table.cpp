@@ -14,6 +14,11 @@ constexpr char kColumns[] = "%7s %11s %7s %9s %9s %12s %12s %10s %10s %6s %5s %9
 
 }  // namespace
 
+std::string vanished_text(std::string_view label, std::uint64_t samples) {
+  return text("label ", label, " vanished: smoothing left nothing of its ",
+              counted(samples, "sample"), "; a smaller --smooth or --median keeps more");
+}
+
 std::string label_heading() {
   std::string heading;
   append_format(heading, kColumns, "label", "voxels", "weight", "vertices", "triangles",

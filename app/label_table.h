@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/topology_counts.h"
 #include "io/filter/segmentation.h"
@@ -20,6 +22,9 @@ struct LabelRow {
   TopologyCounts mesh, exact;
   double seconds = 0;
 };
+
+// Returns the warning about a label whose field is the largest at no sample.
+std::string vanished_text(std::string_view label, std::uint64_t samples);
 
 std::string label_heading();
 std::string text_of(const LabelRow& row);

@@ -114,6 +114,11 @@ void print_report(const MeshRun& run);
 // there are.
 std::string place_faults_text(const PlaceFaults& faults);
 
+// Return lines: the counters that are not 0; the operations of Stage 2, and the numbers refused by
+// each test.
+std::string counters_text(const Report& report);
+std::string operations_text(const Report& report);
+
 std::string report_text(const MeshRun& run);
 std::string report_json(const MeshRun& run);
 

@@ -265,8 +265,7 @@ void add_label(ReportWriter& out, const SharedLabel& l) {
   out.add("vertices", l.vertices, "of its mesh");
   out.add("triangles", l.triangles, "of its mesh");
   add_topology(out, "topology", l.mesh, "of its mesh");
-  add_topology(out, "exact_topology", l.exact,
-               "of its region in T_L, the complex that the samples are divided by");
+  add_topology(out, "exact_topology", l.exact, "of its region in T_L (docs/guide/noise.md)");
   out.add("topology_exact", l.mesh == l.exact, "the two are equal");
   out.add("fault", l.fault, "the first rule of a mesh that its mesh breaks; empty: none");
   out.add_seconds("seconds", l.seconds, "for its field");

@@ -10,6 +10,7 @@
 #include "app/check_report.h"
 #include "app/count_stop.h"
 #include "app/criteria_note.h"
+#include "app/label_table.h"
 #include "app/mesh_attributes.h"
 #include "app/mesh_run.h"
 #include "app/output.h"
@@ -163,6 +164,10 @@ TriMesh make_mesh(MeshRun& run, Progress& progress, const Warn& warn) {
   const Volume& volume = run.input.volume();
   const double isovalue = *run.input.isovalue;
   if (!line.allow_empty) require_isovalue_in_range(isovalue, *run.input.range);
+  if (run.input.field.label && run.input.range->max < isovalue) {
+    const LabelFacts& label = *run.input.field.label;
+    warn(vanished_text(joined(label.labels, ", "), label.samples));
+  }
   require_limits(line.options, volume);
   warn_of_size(expected_vertices(volume, isovalue, line.options), warn);
 

@@ -64,6 +64,7 @@ std::vector<Volume> fields_of(SharedRun& run, Progress& progress) {
   std::vector<LabelSamples> found;
   for (const SharedLabel& l : run.labels) found.push_back(l.label);
   LabelFields fields = label_fields(volume, line.field, found, line.input, line.options.threads);
+  progress.show("fields", 0);
   fields.weighed();
   std::vector<Volume> all;
   for (SharedLabel& l : run.labels) {
@@ -91,9 +92,7 @@ void warn_of_vanished(SharedRun& run, const Partition& partition, const Warn& wa
   for (BodyId body = 0; body < run.labels.size(); ++body) {
     SharedLabel& l = run.labels[body];
     l.kept = kept[body];
-    if (l.kept > 0) continue;
-    warn(text("label ", l.label.label, " vanished: smoothing left nothing of its ",
-              counted(l.label.samples, "sample"), "; a smaller --smooth or --median keeps more"));
+    if (l.kept == 0) warn(vanished_text(text(l.label.label), l.label.samples));
   }
 }
 
@@ -111,6 +110,7 @@ void find_sides(SharedRun& run, const Partition& partition) {
     run.sides.push_back(sides);
     SharedBorder& border = borders[sides];
     border.sides = sides;
+    border.is_cap = partition.is_beyond(facet.bodies[0]);
     ++border.triangles;
     border.area += length(area_normal(p[a], p[b], p[c])) / 2;
   }
@@ -286,18 +286,17 @@ std::string report_text(const SharedRun& run) {
     if (l.label.label != 0) lines += text_of(l);
   }
   const std::size_t facets = run.mesh.facets.size(), caps = facets - run.mesh.inner_facets;
+  const auto pairs = static_cast<std::uint64_t>(std::ranges::count_if(
+      run.borders, [](const SharedBorder& border) { return !border.is_cap; }));
   lines += text("shared    ", counted(run.mesh.points.size(), "vertex", "vertices"), ", ",
                 counted(facets, "triangle"),
                 caps > 0 ? text(" (", grouped(caps), " on the volume's border)") : "", " -> ",
-                one_line(run.line.shared), "\n          ", counted(run.borders.size(), "pair"),
-                " of labels, ",
+                one_line(run.line.shared), "\n          ", counted(pairs, "pair"), " of labels, ",
                 run.written.count() == 0 ? "no crossings" : place_faults_text(run.written),
                 ", smallest angle ", fixed(run.quality.min_angle, 2), " degrees, ",
                 fixed(sharp_percent(run.quality), 2), " % below 15\n");
   for (const SharedLabel& l : run.labels) {
-    if (l.label.label != 0 && !l.fault.empty()) {
-      lines += text("fault     label ", l.label.label, ": ", l.fault, "\n");
-    }
+    if (!l.fault.empty()) lines += text("fault     label ", l.label.label, ": ", l.fault, "\n");
   }
   const CountedMesh asked = counted_mesh(run);
   if (count_stop(asked) != CountStop::none) lines += text("count     ", count_text(asked), "\n");
@@ -306,6 +305,8 @@ std::string report_text(const SharedRun& run) {
     lines += text("border    ", border.sides[0], " and ", border.sides[1], ": ") +
              counted(border.triangles, "triangle") + ", area " + rounded(border.area, 6) + "\n";
   }
+  lines += counters_text(run.report);
+  if (run.line.verbose) lines += operations_text(run.report);
   return lines + text("cost      ", stages_text(run), "; ", fixed(run.seconds_total, 2),
                       " seconds, ", fixed(static_cast<double>(run.peak_bytes) / 0x1p20, 1),
                       " MiB at most\n");

@@ -30,9 +30,10 @@ struct SharedLabel : LabelRow {
   std::string fault;       // the first rule of mesh/tri_mesh.h that its mesh breaks, or empty
 };
 
-// The facets between two labels.
+// The facets between two labels, or a label and a face of the box.
 struct SharedBorder {
   std::array<std::int32_t, 2> sides{};  // as MeshWriteOptions has them
+  bool is_cap = false;
   std::size_t triangles = 0;
   double area = 0;  // scaled frame
 };

@@ -199,9 +199,11 @@ struct Halves {
     });
     folder.write("halves.raw", samples);
   }
+  CommandLine line_of(const std::string& more) const {
+    return parsed(folder / "halves.raw" + " --dims 9x8x7 --type int8 --label all " + more);
+  }
   CommandLine line(const std::string& more) const {
-    return parsed(folder / "halves.raw" + " --dims 9x8x7 --type int8 --label all --shared " +
-                  (folder / "all.ply") + " " + more);
+    return line_of("--shared " + (folder / "all.ply") + " " + more);
   }
   // Meshes the labels. Returns the warnings. The progress knows all stages.
   std::vector<std::string> warnings(SharedRun& run) const {
@@ -248,10 +250,21 @@ TEST_CASE("a label that vanishes is told of, with the samples that it had") {
     CHECK((odd.triangles == 0) == vanishes);
     CHECK(warnings.size() == (vanishes ? 1 : 0));
     if (!vanishes) continue;
-    CHECK(warnings[0] ==
-          "label 3 vanished: smoothing left nothing of its 1 sample; a smaller --smooth or "
-          "--median keeps more");
+    const std::string told =
+        "label 3 vanished: smoothing left nothing of its 1 sample; a smaller --smooth or "
+        "--median keeps more";
+    CHECK(warnings[0] == told);
     CHECK(report_json(run).find("\"kept_voxels\": 0,") != std::string::npos);
+    // Of labels that are meshed one by one, too.
+    const CommandLine all = halves.line_of(more);
+    for (const CommandLine& one : lines_of_labels(all, source)) {
+      const Input input = input_of(source, one);
+      MeshRun alone(one, input);
+      ProgressBar none(mesh_stages(one), false);
+      std::vector<std::string> others;
+      mesh_input(alone, none, [&](const std::string& w) { others.push_back(w); });
+      CHECK(others == (one.field.labels[0] == 3 ? std::vector{told} : std::vector<std::string>()));
+    }
   }
 }
 
@@ -288,7 +301,7 @@ TEST_CASE("the report of common surfaces: topology, borders, caps, and a number 
   // Caps without the background's: 8 x 6.5, 8 x 5.5, and two of 6.5 x 5.5.
   CHECK(area == doctest::Approx(8 * 6.5 + 8 * 5.5 + 2 * 6.5 * 5.5).epsilon(0.02));
   const std::string report = report_text(run);
-  for (const char* words : {"\nshared    ", "10 pairs of labels, no crossings, smallest angle ",
+  for (const char* words : {"\nshared    ", "4 pairs of labels, no crossings, smallest angle ",
                             "\ncount     ", "\nborder    5 and 2: ", "\ncost      read "}) {
     CHECK_MESSAGE(report.find(words) != std::string::npos, words);
   }
