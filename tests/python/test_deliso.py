@@ -331,16 +331,20 @@ class TestMesh(TestCase):
             self.assertGreater((numpy.cross(a, b) * c).sum(), 0)
         with self.assertRaises(KeyError):
             shared.mesh(5)
-        # The same files as the program's, also of a copy.
-        numpy.save(self.path("v.npy"), labels)
+        # The same files as the program's, with the names of segments, also of a copy.
+        with open(self.path("v.nrrd"), "wb") as file:
+            file.write(b"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 16 14 12\nencoding: raw\n")
+            file.write(b"Segment0_Name:=Liver\nSegment0_LabelValue:=7\n\n" + labels.tobytes())
         os.mkdir(self.path("theirs"))
         theirs = self.path("theirs/")
         subprocess.run(
-            [PROGRAM, self.path("v.npy"), "--label=all", "--cap", "--spacing=1,1,2", "-q"]
+            [PROGRAM, self.path("v.nrrd"), "--label=all", "--cap", "-q"]
             + ["--shared", theirs + "all.vtp", "-o", theirs + "all.glb"],
             check=True,
         )
-        for ours in (shared, pickle.loads(pickle.dumps(shared))):
+        named = deliso.mesh(self.path("v.nrrd"), label="all", shared=True, cap=True)
+        self.assertEqual([label["name"] for label in named.report["labels"]], ["", "", "Liver"])
+        for ours in (named, pickle.loads(pickle.dumps(named))):
             ours.save(self.path("all.vtp"))
             deliso.Labels(ours).save(self.path("all.glb"))
             for name in ("all.vtp", "all.glb"):
