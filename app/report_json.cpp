@@ -264,7 +264,8 @@ void add_label(ReportWriter& out, const SharedLabel& l) {
            "enclosed by its mesh, if it is closed; world units, cubed");
   out.add("vertices", l.vertices, "of its mesh");
   out.add("triangles", l.triangles, "of its mesh");
-  add_topology(out, "topology", l.mesh, "of its mesh");
+  add_topology(out, "topology", l.mesh,
+               "of its mesh; of label 0 with --cap, with the caps that only this count has");
   add_topology(out, "exact_topology", l.exact, "of its region in T_L (docs/guide/noise.md)");
   out.add("topology_exact", l.mesh == l.exact, "the two are equal");
   out.add("fault", l.fault, "the first rule of a mesh that its mesh breaks; empty: none");

@@ -126,9 +126,11 @@ void examine_labels(SharedRun& run, const Volume& volume) {
     l.voxel_volume = world_volume(l.label.volume * s.x * s.y * s.z, volume.frame());
     l.vertices = mesh.points.size();
     l.triangles = mesh.faces.size();
-    l.mesh = mesh_topology(mesh).counts();
+    const TopologyCounts counts = mesh_topology(mesh).counts();
+    // With --cap the background is counted with caps that its mesh has not.
+    l.mesh = l.label.label == 0 ? run.mesh.topology[body] : counts;
     l.exact = run.mesh.exact[body];
-    if (l.mesh.boundary_loops == 0) {
+    if (counts.boundary_loops == 0) {
       l.mesh_volume = world_volume(enclosed_volume(mesh), volume.frame());
     }
     l.fault = check_mesh(mesh);
