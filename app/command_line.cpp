@@ -137,7 +137,8 @@ void check_labels(const CommandLine& line) {
   for (const auto& [option, name] :
        {std::pair<const char*, const std::string&>{"-o", line.output}, {"--json", line.json}}) {
     const std::size_t place = name.find("%d");
-    if (name.empty() || (&name == &line.output && in_one_file(line))) continue;
+    const bool holds_all = &name == &line.output ? in_one_file(line) : !line.shared.empty();
+    if (name.empty() || holds_all) continue;
     if (place == std::string::npos || name.find('%') != place || name.rfind('%') != place) {
       throw InputError("--label all wants one %d in the name of ", option,
                        ", for the label: part-%d.ply; or all in one .glb, .3mf or .vtp");
@@ -286,15 +287,14 @@ struct Exclusion {
 };
 // --vertices and --triangles choose the bound on the distance in Stage 2, so that others cannot set
 // it, and that there must be this stage. A part has no mesh file, and is made without the rest of
-// the mesh (more/mesh_isosurface.h). Shared labels are one mesh, and the options of each one's are
-// none of it.
+// the mesh (more/mesh_isosurface.h). Shared labels have no isosurface to be held against, and no
+// components by themselves.
 constexpr Exclusion kExclusions[] = {
     {"--float", "--double", ""},
     {"--vertices", "--triangles --max-distance --stop-after --max-vertices", ""},
     {"--triangles", "--max-distance --stop-after --max-vertices", ""},
     {"--certified", "--keep-hits --single-stage", ": its sites are no points of Voronoi edges"},
-    {"--shared", "--cap --check --json --vertices --triangles --attributes --largest", ""},
-    {"--shared", "--min-component --max-vertices --stop-after --block-side", ""},
+    {"--shared", "--check --attributes --largest --min-component", ""},
     {"--part", "--vertices --triangles", ""},
     {"--part", "--float --double --ply-ascii --format --attributes --check --json",
      ": give it to deliso join"}};

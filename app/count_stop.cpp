@@ -18,15 +18,12 @@ struct Count {
   std::size_t wanted, refined, now;  // asked for; when Stage 2 ended; in the surface
 };
 
-Count count_of(const MeshRun& run) {
-  const Report& report = run.report;
-  const Options& options = run.line.options;
+Count count_of(const CountedMesh& mesh) {
+  const Options& options = mesh.options;
   if (options.target_triangles != Options::kNoTarget) {
-    return {true, options.target_triangles, report.triangles_refined,
-            options.cap ? report.cap.surface_triangles : run.triangles};
+    return {true, options.target_triangles, mesh.triangles_refined, mesh.triangles};
   }
-  return {false, options.target_vertices, report.vertices_refined,
-          options.cap ? report.cap.surface_vertices : run.vertices};
+  return {false, options.target_vertices, mesh.vertices_refined, mesh.vertices};
 }
 
 // "3 components, 713 handles, 12 boundary loops"
@@ -43,9 +40,20 @@ std::string features_text(const TopologyCounts& mesh) {
 
 }  // namespace
 
-CountStop count_stop(const MeshRun& run) {
-  if (!by_count(run.line.options)) return CountStop::none;
-  const Count count = count_of(run);
+CountedMesh counted_mesh(const MeshRun& run) {
+  const Report& report = run.report;
+  const bool capped = run.line.options.cap;
+  return {run.line.options,
+          capped ? report.cap.surface_vertices : run.vertices,
+          capped ? report.cap.surface_triangles : run.triangles,
+          report.vertices_refined,
+          report.triangles_refined,
+          run.mesh};
+}
+
+CountStop count_stop(const CountedMesh& mesh) {
+  if (!by_count(mesh.options)) return CountStop::none;
+  const Count count = count_of(mesh);
   if (count.now > count.wanted) {
     return count.refined > count.wanted ? CountStop::topology : CountStop::clear_box;
   }
@@ -60,18 +68,18 @@ std::string_view name_of(CountStop stop) {
   return kNames[static_cast<std::size_t>(stop)];
 }
 
-std::string count_text(const MeshRun& run) {
-  const CountStop stop = count_stop(run);
+std::string count_text(const CountedMesh& mesh) {
+  const CountStop stop = count_stop(mesh);
   if (stop == CountStop::none) return {};
-  const Count count = count_of(run);
+  const Count count = count_of(mesh);
   const std::string words =
       text(count.of_triangles ? counted(count.now, "triangle")
                               : counted(count.now, "vertex", "vertices"),
-           run.line.options.cap ? " without caps, " : ", ", grouped(count.wanted), " asked for: ");
+           mesh.options.cap ? " without caps, " : ", ", grouped(count.wanted), " asked for: ");
   switch (stop) {
     case CountStop::topology:
       return words + "with fewer the topology would change, or triangles would cross (" +
-             features_text(run.mesh) + ")";
+             features_text(mesh.topology) + ")";
     case CountStop::clear_box:
       return words + "--cap added some to keep edges out of the faces of the box";
     default:

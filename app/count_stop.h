@@ -3,11 +3,14 @@
 // and what stopped it otherwise.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "app/mesh_run.h"
+#include "base/topology_counts.h"
+#include "run/options.h"
 
 namespace deliso {
 
@@ -18,13 +21,28 @@ enum class CountStop : std::uint8_t {
   refinement,  // fewer: triangles so small, or so near to the surface, are not refined
 };
 
-// Returns what stopped the number of the run's mesh; caps do not count. pre: the mesh is made.
-CountStop count_stop(const MeshRun& run);
+// A mesh, of which a number may have been asked for; caps do not count.
+struct CountedMesh {
+  const Options& options;
+  std::size_t vertices = 0, triangles = 0;
+  std::size_t vertices_refined = 0, triangles_refined = 0;  // when Stage 2 ended
+  TopologyCounts topology;
+};
+// pre: the run's mesh is made; for count_text() its topology is known.
+CountedMesh counted_mesh(const MeshRun& run);
+
+// Returns what stopped the number.
+CountStop count_stop(const CountedMesh& mesh);
+inline CountStop count_stop(const MeshRun& run) {
+  return count_stop(counted_mesh(run));
+}
 
 std::string_view name_of(CountStop stop);
 
-// Returns the number and what stopped it, in one line; empty if nothing did. pre: the topology of
-// the run's mesh is known.
-std::string count_text(const MeshRun& run);
+// Returns the number and what stopped it, in one line; empty if nothing did.
+std::string count_text(const CountedMesh& mesh);
+inline std::string count_text(const MeshRun& run) {
+  return count_text(counted_mesh(run));
+}
 
 }  // namespace deliso

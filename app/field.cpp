@@ -42,19 +42,6 @@ LabelFacts facts_of(const Field& field, const Volume& whole, const FieldOptions&
   return facts;
 }
 
-// Returns the field before its filters. Labels are always smoothed.
-Field unfiltered(const Volume& volume, const FieldOptions& options) {
-  Field field{volume};
-  field.median = options.median;
-  std::optional<Length> smooth = options.smooth;
-  if (options.of_labels() && !smooth) smooth = {1, Length::Unit::voxel};
-  if (smooth) {
-    field.sigma = sigma_of(*smooth, volume);
-    field.sigma_voxels = in_voxels(*smooth, volume);
-  }
-  return field;
-}
-
 }  // namespace
 
 Vec3 sigma_of(const Length& smooth, const Volume& volume) {
@@ -76,10 +63,22 @@ Vec3 sigma_of(const Length& smooth, const Volume& volume) {
   return sigma;
 }
 
+Field unfiltered_field(const Volume& volume, const FieldOptions& options) {
+  Field field{volume};
+  field.median = options.median;
+  std::optional<Length> smooth = options.smooth;
+  if (options.of_labels() && !smooth) smooth = {1, Length::Unit::voxel};
+  if (smooth) {
+    field.sigma = sigma_of(*smooth, volume);
+    field.sigma_voxels = in_voxels(*smooth, volume);
+  }
+  return field;
+}
+
 Field make_field(const Volume& volume, const FieldOptions& options,
                  std::span<const LabelSamples> found, std::string_view name, int threads) {
   const Stopwatch watch;
-  Field field = unfiltered(volume, options);
+  Field field = unfiltered_field(volume, options);
   if (!options.labels.empty()) {
     LabelFields labels = label_fields(volume, options, found, name, threads);
     const std::int64_t label = options.labels.front();
@@ -99,7 +98,7 @@ LabelFields label_fields(const Volume& volume, const FieldOptions& options,
     fail(name, "looks like a gray image, not like labels, and has ", found.size(),
          " values: try --iso");
   }
-  const Field field = unfiltered(volume, options);
+  const Field field = unfiltered_field(volume, options);
   return {volume, {found.begin(), found.end()}, options.labels, {field.median, field.sigma}, name,
           threads};
 }

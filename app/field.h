@@ -38,6 +38,9 @@ struct Field {
   bool is_filtered() const { return label || median > 0 || sigma_voxels > 0; }
 };
 
+// Returns the field before its filters. Labels are always smoothed. Throws as sigma_of() does.
+Field unfiltered_field(const Volume& volume, const FieldOptions& options);
+
 // Returns the field. Throws InputError, with the volume's `name`, for labels that it has not, for
 // those of a gray image with too many values, and for a Gaussian out of range. `found`: the
 // volume's labels; only of --label.

@@ -72,6 +72,10 @@ struct MeshRun {
 TriMesh mesh_input(MeshRun& run, Progress& progress,
                    const std::function<void(const std::string&)>& warn);
 
+// Warns in one line before a run that may need much time and memory. Throws an InputError before an
+// impossible one.
+void warn_of_size(double vertices, const std::function<void(const std::string&)>& warn);
+
 // Throws InputError if the mesh has no surface, but caps at most, unless the line allows that.
 void require_surface(const MeshRun& run, const TriMesh& mesh);
 
@@ -85,6 +89,10 @@ MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh);
 // Returns the command line of each label's mesh, of --label all. Throws InputError if some output
 // cannot be written, or there is no label.
 std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& source);
+// Meshes all labels as one mesh and writes its files, of --label all --shared. `lines`: those of
+// the labels; `total` counts from the beginning of the run. Returns the exit status.
+int run_shared(const Stopwatch& total, const Source& source, const CommandLine& line,
+               std::span<const CommandLine> lines);
 // Writes the meshes of labels into one file, each with its name, else "label N", and color. pre:
 // there is one.
 void write_labels(std::vector<MeshObject> objects, std::span<const std::int64_t> labels,
@@ -105,6 +113,11 @@ void print_report(const MeshRun& run);
 // Returns what rounding made, "2 pairs of triangles cross, 1 triangle flat", of the kinds that
 // there are.
 std::string place_faults_text(const PlaceFaults& faults);
+
+// Return lines: the counters that are not 0; the operations of Stage 2, and the numbers refused by
+// each test.
+std::string counters_text(const Report& report);
+std::string operations_text(const Report& report);
 
 std::string report_text(const MeshRun& run);
 std::string report_json(const MeshRun& run);

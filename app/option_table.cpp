@@ -177,8 +177,9 @@ constexpr OptionSpec kInputAndOutput[] = {
        l.field.segments = std::move(labels.names);
      }},
     {"--shared", 0, "FILE", kMeshOnly,
-     "with --label all: labels have common vertices where they meet, and FILE has all interfaces "
-     "with the two labels of each triangle (PLY, VTP); meshes are closed at the volume's border",
+     "with --label all: one mesh of all labels, with common vertices where they meet; FILE has all "
+     "interfaces with the two labels of each triangle (PLY, VTP), and those on the volume's border "
+     "with --cap",
      [](Line& l, Text, Text v) { l.shared = v; }},
 };
 

@@ -48,23 +48,26 @@ std::string time_text(double seconds) {
 
 std::vector<StageCost> mesh_stages(const CommandLine& line) {
   const Options& options = line.options;
-  const bool exact = !line.paper;
+  const bool exact = !line.paper, shared = !line.shared.empty();
   const bool refines = !options.stop_after_stage1;
   const bool examined = !line.quiet || line.check || !line.json.empty();
-  const std::pair<bool, StageCost> all[] = {{true, {"reading", 1}},
-                                            {exact || line.certified, {"contour", 4, "blocks"}},
-                                            {exact, {"cutting", 2, "blocks"}},
-                                            {exact, {"coarsen", 45, "blocks"}},
-                                            {!exact, {"initial", 3}},
-                                            {!exact, {"recover", 20}},
-                                            {!exact && refines, {"poles", 2}},
-                                            {refines, {"refine", exact ? 22.0 : 45.0, "blocks"}},
-                                            {exact, {"weld", 1}},
-                                            {refines && exact, {"seams", 6}},
-                                            {refines && by_count(options), {"thin", 40}},
-                                            {options.cap, {"cap", 3}},
-                                            {examined, {"check", line.check ? 150.0 : 6.0}},
-                                            {!line.output.empty(), {"writing", 1}}};
+  const std::pair<bool, StageCost> all[] = {
+      {true, {"reading", 1}},
+      {shared, {"fields", 15}},
+      {shared, {"labels", 4, "blocks"}},
+      {(exact && !shared) || line.certified, {"contour", 4, "blocks"}},
+      {exact && !shared, {"cutting", 2, "blocks"}},
+      {exact, {"coarsen", 45, "blocks"}},
+      {!exact, {"initial", 3}},
+      {!exact, {"recover", 20}},
+      {!exact && refines, {"poles", 2}},
+      {refines, {"refine", exact ? 22.0 : 45.0, "blocks"}},
+      {exact, {"weld", 1}},
+      {refines && exact, {"seams", 6}},
+      {refines && by_count(options), {"thin", 40}},
+      {options.cap && !shared, {"cap", 3}},
+      {examined, {"check", line.check ? 150.0 : 6.0}},
+      {shared || !line.output.empty(), {"writing", 1}}};
   std::vector<StageCost> stages;
   for (const auto& [is_run, stage] : all) {
     if (is_run) stages.push_back(stage);

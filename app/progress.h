@@ -29,7 +29,8 @@ struct StageCost {
 };
 
 // The stages of the mesh command, in order: reading, those of the Observer, check, writing. A run
-// in one block has no "weld" and no "seams".
+// in one block has no "weld" and no "seams". One of --shared has the labels' fields, and T_L in
+// place of the contour.
 std::vector<StageCost> mesh_stages(const CommandLine& line);
 // Those of the info command.
 std::vector<StageCost> info_stages(const CommandLine& line);

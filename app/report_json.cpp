@@ -9,6 +9,7 @@
 #include "app/option_texts.h"
 #include "app/published.h"
 #include "app/report_writer.h"
+#include "app/shared_labels.h"
 #include "app/solid.h"
 #include "app/text.h"
 #include "base/text.h"
@@ -93,8 +94,8 @@ void add_seconds(ReportWriter& out, const MeshRun& run) {
   out.close();
 }
 
-void add_quality(ReportWriter& out, const MeshQuality& quality) {
-  out.open("quality", "the shape of the surface's triangles, caps left out");
+void add_quality(ReportWriter& out, const MeshQuality& quality, std::string_view words) {
+  out.open("quality", words);
   out.add("min_angle_degrees", quality.min_angle, "the smallest angle");
   out.add("max_angle_degrees", quality.max_angle, "the largest");
   out.open("triangles_by_min_angle_degrees", "how many have their smallest angle in which range");
@@ -139,6 +140,29 @@ void add_operations(ReportWriter& out, const Report& report) {
   out.close();
 }
 
+void add_distance(ReportWriter& out, const Report& report) {
+  out.add("max_distance", report.max_distance,
+          "D when Stage 2 ended: as asked for, or as far as --vertices allows, null: none; scaled "
+          "frame",
+          Rule::nullable);
+  out.add("largest_h", report.largest_h,
+          "of triangles above r_min when Stage 2 ended; scaled frame");
+}
+
+void add_memory(ReportWriter& out, std::uint64_t bytes) {
+  out.add("peak_memory_bytes", bytes,
+          "the most that the process has held in RAM; in a host of the library, with all that is "
+          "the host's");
+}
+
+void add_counters(ReportWriter& out, const Report& report) {
+  out.open("counters", "what was refused or left unresolved; all 0 in a clean run");
+  for (std::size_t n = 0; n < kCounterCount; ++n) {
+    out.add(name_of(static_cast<Counter>(n)), report.counters[n], "docs/guide/report.md");
+  }
+  out.close();
+}
+
 void add_mesh(ReportWriter& out, const MeshRun& run) {
   const Report& report = run.report;
   out.open("mesh", "the mesh, and the exact surface beside it");
@@ -158,7 +182,7 @@ void add_mesh(ReportWriter& out, const MeshRun& run) {
   add_topology(out, "topology", run.mesh, "of the mesh, without caps");
   add_topology(out, "exact_topology", report.exact, "of the surface");
   out.add("topology_exact", run.mesh == report.exact, "the two are equal");
-  add_quality(out, run.quality);
+  add_quality(out, run.quality, "the shape of the surface's triangles, caps left out");
   out.add("needle_triangles", run.close.needles.size(),
           text("of the surface, with an angle below ", kLeastAngle, " degrees"));
   out.add("folds", run.close.folds.size(),
@@ -216,28 +240,106 @@ void add_run(ReportWriter& out, const MeshRun& run) {
     add_searches(out, "searches_recover", run.published.searches_recover, "--paper: of Stage 1");
   }
   add_searches(out, "searches_refine", report.searches_refine, "of Stage 2");
-  out.add("max_distance", report.max_distance,
-          "D when Stage 2 ended: as asked for, or as far as --vertices allows, null: none; scaled "
-          "frame",
-          Rule::nullable);
-  out.add("largest_h", report.largest_h,
-          "of triangles above r_min when Stage 2 ended; scaled frame");
+  add_distance(out, report);
   add_operations(out, report);
-  out.open("counters", "what was refused or left unresolved; all 0 in a clean run");
-  for (std::size_t n = 0; n < kCounterCount; ++n) {
-    out.add(name_of(static_cast<Counter>(n)), report.counters[n], "docs/guide/report.md");
-  }
-  out.close();
+  add_counters(out, report);
   add_mesh(out, run);
   if (out.if_any(run.verification.has_value())) {
     add_verification(out, run.verification.value_or(Verification()), run.input.volume());
   }
-  out.add("peak_memory_bytes", run.peak_bytes,
-          "the most that the process has held in RAM; in a host of the library, with all that is "
-          "the host's");
+  add_memory(out, run.peak_bytes);
+}
+
+void add_label(ReportWriter& out, const SharedLabel& l) {
+  out.add("label", l.label.label, "its number");
+  out.add("name", l.name, "of its segment, or empty");
+  out.add("voxels", l.label.samples, "samples with the label");
+  out.add(
+      "kept_voxels", l.kept,
+      "samples where its smoothed and weighted indicator is the largest; 0: the label vanished");
+  out.add("weight", l.label.weight, "of its smoothed indicator");
+  out.add("volume_of_voxels", l.voxel_volume, "of its voxels, within the box; world units, cubed");
+  out.optional(l.mesh_volume.has_value())
+      .add("volume", l.mesh_volume.value_or(0),
+           "enclosed by its mesh, if it is closed; world units, cubed");
+  out.add("vertices", l.vertices, "of its mesh");
+  out.add("triangles", l.triangles, "of its mesh");
+  add_topology(out, "topology", l.mesh,
+               "of its mesh; of label 0 with --cap, with the caps that only this count has");
+  add_topology(out, "exact_topology", l.exact, "of its region in T_L (docs/guide/noise.md)");
+  out.add("topology_exact", l.mesh == l.exact, "the two are equal");
+  out.add("fault", l.fault, "the first rule of a mesh that its mesh breaks; empty: none");
+  out.add_seconds("seconds", l.seconds, "for its field");
+}
+
+void add_shared_seconds(ReportWriter& out, const SharedRun& run) {
+  const Report& report = run.report;
+  out.open("seconds", "where the time went");
+  out.add_seconds("read", run.input.seconds, "reading, and looking at every sample once");
+  out.add_seconds("filter", run.input.field.seconds, "the labels' weights and fields");
+  out.add_seconds("labels", report.seconds_contour, "T_L");
+  out.add_seconds("coarsen", report.seconds_coarsen,
+                  "Stage 1: vertices of T_L that are not needed go");
+  out.add_seconds("refine", report.seconds_refine, "Stage 2");
+  out.add_seconds("meshing", report.seconds_total, "all that makes the mesh, of the fields");
+  out.add_seconds("check", run.seconds_check, "looking at the mesh afterwards");
+  out.add_seconds("write", run.seconds_write, "writing the meshes");
+  out.add_seconds("total", run.seconds_total, "the run");
+  out.close();
+}
+
+void add_shared_mesh(ReportWriter& out, const SharedRun& run) {
+  const std::size_t facets = run.mesh.facets.size();
+  out.open("mesh", "the interfaces of all labels");
+  out.add("output", run.line.shared, "its file; empty: none was written");
+  out.add("vertices", run.mesh.points.size(), "all of them");
+  out.add("triangles", facets, "all of them");
+  out.add("surface_vertices", run.surface_vertices, "of triangles between two labels");
+  out.add("surface_triangles", run.mesh.inner_facets,
+          "between two labels; with --cap those on the box follow them");
+  const CountedMesh asked = counted_mesh(run);
+  out.optional(by_count(run.line.options))
+      .add_choice("count_stop", static_cast<std::size_t>(count_stop(asked)),
+                  names_up_to(CountStop::refinement),
+                  "with --vertices or --triangles: what stopped the number, caps left out; none: "
+                  "at most as many, and at most 2 % or one fewer");
+  out.add("crossings", run.written.crossings,
+          "pairs of triangles that cross, of the mesh as it is in the file");
+  out.add("flat", run.written.flat, "triangles of it that have no area");
+  out.add("coincident", run.written.coincident, "vertices of it that are where another one is");
+  add_quality(out, run.quality, "the shape of the triangles, those on the box among them");
+  out.close();
+}
+
+void add_shared(ReportWriter& out, const SharedRun& run) {
+  add_input(out, run.input);
+  add_options(out, run.line);
+  add_shared_seconds(out, run);
+  add_distance(out, run.report);
+  add_operations(out, run.report);
+  add_counters(out, run.report);
+  add_shared_mesh(out, run);
+  out.add_objects("labels", "the labels, ascending; 0 is the background", run.labels,
+                  [&](const SharedLabel& label) { add_label(out, label); });
+  out.add_objects("borders", "what is between two labels, or a label and the box", run.borders,
+                  [&](const SharedBorder& border) {
+                    out.add("front", border.sides[0],
+                            "the label in front; on the box with --cap -1, -2, ... -6: low x, high "
+                            "x, low y, ... high z");
+                    out.add("behind", border.sides[1], "the label behind");
+                    out.add("triangles", border.triangles, "between the two");
+                    out.add("area", border.area, "of these; scaled frame");
+                  });
+  add_memory(out, run.peak_bytes);
 }
 
 }  // namespace
+
+std::string report_json(const SharedRun& run) {
+  ReportWriter out("mesh");
+  add_shared(out, run);
+  return out.finish();
+}
 
 std::string report_json(const MeshRun& run) {
   ReportWriter out("mesh");
@@ -251,6 +353,9 @@ std::string report_schema() {
       "", {Volume::without_samples({2, 2, 2}, {1, 1, 1}, SampleType::u8, {})}, {}, {}};
   ReportWriter out;
   out.describe_report("mesh", [&] { add_run(out, MeshRun(line, input)); });
+  const Source source{input.volume(), {}, {}, {}, 0};
+  out.describe_report(
+      "mesh", [&] { add_shared(out, SharedRun(line, source, {})); }, "with --label all --shared");
   out.describe_report("check", [&] { add_check(out, "", false, input, {}); });
   out.describe_report("info", [&] { add_info(out, {input, {}, {}, {}, {}, 0, {}, 0, {}, 0}); });
   return out.finish();

@@ -87,35 +87,6 @@ void append_stages(std::string& text, const MeshRun& run) {
   append_format(text, "  %-14s %9.3f\n\n", "total", run.seconds_total);
 }
 
-// Returns the counters that are not 0.
-std::string counters_text(const Report& report) {
-  std::string lines;
-  for (std::size_t n = 0; n < kCounterCount; ++n) {
-    if (report.counters[n] == 0) continue;
-    lines += text(lines.empty() ? "counters  " : "          ", name_of(static_cast<Counter>(n)),
-                  ": ", grouped(report.counters[n]), "\n");
-  }
-  return lines;
-}
-
-// Returns the operations of Stage 2, and the numbers refused by each test.
-std::string operations_text(const Report& report) {
-  std::string lines;
-  for (std::size_t r = 0; r < kOperations; ++r) {
-    const OperationCounts& counts = report.operations[r];
-    std::string refused;
-    for (std::size_t n = 0; n < kRefusals; ++n) {
-      if (counts.refused[n] == 0) continue;
-      refused += text(refused.empty() ? "; refused: " : ", ", name_of(static_cast<Refusal>(n)), " ",
-                      grouped(counts.refused[n]));
-    }
-    if (counts.done == 0 && refused.empty()) continue;
-    lines += text(lines.empty() ? "done      " : "          ", name_of(static_cast<Operation>(r)),
-                  ": ", grouped(counts.done), refused, "\n");
-  }
-  return lines;
-}
-
 // Returns what holds of the mesh, and a line for each counter of what does not (the README's "What
 // is not guaranteed"), with its name in the JSON.
 std::string verdict_text(const MeshRun& run) {
@@ -171,6 +142,33 @@ std::string place_faults_text(const PlaceFaults& faults) {
   add(faults.flat, "triangle", "triangles", " flat");
   add(faults.coincident, "vertex", "vertices", " coincide with others");
   return words;
+}
+
+std::string counters_text(const Report& report) {
+  std::string lines;
+  for (std::size_t n = 0; n < kCounterCount; ++n) {
+    if (report.counters[n] == 0) continue;
+    lines += text(lines.empty() ? "counters  " : "          ", name_of(static_cast<Counter>(n)),
+                  ": ", grouped(report.counters[n]), "\n");
+  }
+  return lines;
+}
+
+std::string operations_text(const Report& report) {
+  std::string lines;
+  for (std::size_t r = 0; r < kOperations; ++r) {
+    const OperationCounts& counts = report.operations[r];
+    std::string refused;
+    for (std::size_t n = 0; n < kRefusals; ++n) {
+      if (counts.refused[n] == 0) continue;
+      refused += text(refused.empty() ? "; refused: " : ", ", name_of(static_cast<Refusal>(n)), " ",
+                      grouped(counts.refused[n]));
+    }
+    if (counts.done == 0 && refused.empty()) continue;
+    lines += text(lines.empty() ? "done      " : "          ", name_of(static_cast<Operation>(r)),
+                  ": ", grouped(counts.done), refused, "\n");
+  }
+  return lines;
 }
 
 std::string report_text(const MeshRun& run) {

@@ -47,9 +47,10 @@ void ReportWriter::close(bool has_others) {
   required_.pop_back();
 }
 
-void ReportWriter::describe_report(std::string_view command, const std::function<void()>& fill) {
+void ReportWriter::describe_report(std::string_view command, const std::function<void()>& fill,
+                                   std::string_view options) {
   json_.open_item();
-  open_properties("of deliso " + std::string(command) + " --json");
+  open_properties(text("of deliso ", command, " --json", options.empty() ? "" : " ", options));
   open_member("schema");
   json_.add("const", kSchema);
   json_.close();

@@ -101,8 +101,9 @@ class ReportWriter {
     json_.close();
   }
 
-  // Describes the report of a command, whose members `fill` adds.
-  void describe_report(std::string_view command, const std::function<void()>& fill);
+  // Describes the report of a command, whose members `fill` adds. `options`: those that it is of.
+  void describe_report(std::string_view command, const std::function<void()>& fill,
+                       std::string_view options = {});
   std::string finish();  // the report, or the schema
 
  private:

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 // deliso mesh --label all: a mesh for each label of a segmentation, and a table of them.
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "app/label_table.h"
 #include "app/mesh_run.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/run.h"
-#include "app/shared_labels.h"
 #include "app/signals.h"
 #include "app/text.h"
 #include "base/check.h"
@@ -35,15 +37,19 @@ std::string name_with(std::string name, std::int64_t label) {
 std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& source) {
   std::vector<CommandLine> lines;
   std::vector<std::string> files = source.log.paths();
-  require_outputs(std::vector{line.shared}, files);
-  if (!line.shared.empty()) files.push_back(line.shared);
+  const bool shared = !line.shared.empty();
+  if (shared) {
+    require_outputs(std::array{line.shared, line.json}, files);
+    files.push_back(line.shared);
+    if (line.json != "-") files.push_back(line.json);
+  }
   for (const LabelSamples& found : source.labels) {
     if (found.label == 0) continue;
     CommandLine one = line;
     one.field.all_labels = false;
     one.field.labels = {found.label};
     one.output = name_with(line.output, found.label);
-    one.json = name_with(line.json, found.label);
+    one.json = shared ? "" : name_with(line.json, found.label);
     one.allow_empty = true;  // a label may fill the volume
     for (const NamedSegment& segment : source.log.segments) {
       if (segment.label == found.label) one.write.name = segment.name;
@@ -80,13 +86,14 @@ void write_labels(std::vector<MeshObject> objects, std::span<const std::int64_t>
 }
 
 int run_labels(const CommandLine& line) {
+  const Stopwatch all;
   ProgressBar reading(mesh_stages(line), !line.quiet);
   reading.show("reading", 0);
   Source source = read_source(line);
   reading.clear();
   print_warning(source.warning, line);
   const std::vector<CommandLine> lines = lines_of_labels(line, source);
-  if (!line.shared.empty()) return mesh_shared(line, source, lines);
+  if (!line.shared.empty()) return run_shared(all, source, line, lines);
   source.labels =
       label_fields(source.volume, line.field, source.labels, line.input, line.options.threads)
           .weighed();
@@ -106,8 +113,9 @@ int run_labels(const CommandLine& line) {
     if (line.verbose && !line.quiet) print(report_text(run) + "\n");
     const LabelFacts& label = *input.field.label;
     const auto found = std::ranges::find(source.labels, label.labels.front(), &LabelSamples::label);
-    table += text_of({*found, label.volume, run.volume, run.vertices, run.mesh.components,
-                      run.mesh == run.report.exact, run.seconds_total});
+    table += text_of({*found, one.write.name, label.volume,
+                      run.has_volume() ? std::optional(run.volume) : std::nullopt, run.vertices,
+                      run.triangles, run.mesh, run.report.exact, run.seconds_total});
   }
   if (!objects.empty()) write_labels(std::move(objects), labels, line.output);
   if (!line.quiet) print_report(table, line.output == "-");

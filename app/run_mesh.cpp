@@ -10,6 +10,7 @@
 #include "app/check_report.h"
 #include "app/count_stop.h"
 #include "app/criteria_note.h"
+#include "app/label_table.h"
 #include "app/mesh_attributes.h"
 #include "app/mesh_run.h"
 #include "app/output.h"
@@ -49,17 +50,6 @@ void require_isovalue_in_range(double isovalue, const ValueRange& range) {
   if (range.min < isovalue && isovalue <= range.max) return;
   throw InputError(no_surface_text(isovalue, range), ", everything is ",
                    isovalue <= range.min ? "inside" : "outside", " (--allow-empty accepts that)");
-}
-
-// Warns in one line before a run that may need much time and memory. Throws an InputError before an
-// impossible one.
-void warn_of_size(double vertices, const Warn& warn) {
-  if (vertices <= kManyVertices) return;
-  const std::string words = text("about ", grouped(static_cast<std::uint64_t>(vertices / 1e6)),
-                                 " million vertices are to be expected; a larger --max-distance or "
-                                 "--rmin, or --vertices N, gives fewer");
-  if (vertices > kMaxVertices) throw InputError("too large: ", words);
-  warn(words);
 }
 
 // Returns the facets from `begin` to `end`, with the same vertices.
@@ -174,6 +164,10 @@ TriMesh make_mesh(MeshRun& run, Progress& progress, const Warn& warn) {
   const Volume& volume = run.input.volume();
   const double isovalue = *run.input.isovalue;
   if (!line.allow_empty) require_isovalue_in_range(isovalue, *run.input.range);
+  if (run.input.field.label && run.input.range->max < isovalue) {
+    const LabelFacts& label = *run.input.field.label;
+    warn(vanished_text(joined(label.labels, ", "), label.samples));
+  }
   require_limits(line.options, volume);
   warn_of_size(expected_vertices(volume, isovalue, line.options), warn);
 
@@ -187,6 +181,15 @@ TriMesh make_mesh(MeshRun& run, Progress& progress, const Warn& warn) {
 }
 
 }  // namespace
+
+void warn_of_size(double vertices, const Warn& warn) {
+  if (vertices <= kManyVertices) return;
+  const std::string words = text("about ", grouped(static_cast<std::uint64_t>(vertices / 1e6)),
+                                 " million vertices are to be expected; a larger --max-distance or "
+                                 "--rmin, or --vertices N, gives fewer");
+  if (vertices > kMaxVertices) throw InputError("too large: ", words);
+  warn(words);
+}
 
 MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
   const CommandLine& line = run.line;

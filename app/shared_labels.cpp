@@ -2,189 +2,316 @@
 #include "app/shared_labels.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <map>
 #include <utility>
-#include <vector>
 
+#include "app/field.h"
 #include "app/mesh_run.h"
-#include "app/output.h"
-#include "app/progress.h"
-#include "app/run.h"
-#include "app/signals.h"
 #include "app/solid.h"
 #include "app/text.h"
 #include "base/check.h"
+#include "base/parallel.h"
+#include "base/sorted_list.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
-#include "check/place_faults.h"
-#include "check/quality.h"
-#include "io/files/append_format.h"
+#include "base/triangle.h"
+#include "base/version.h"
+#include "check/check_mesh.h"
 #include "io/files/input_file.h"
-#include "io/mesh/write_mesh.h"
-#include "more/bodies/bodies.h"
-#include "more/mesh_isosurface.h"
+#include "io/files/text_scan.h"
+#include "more/counts/expected_vertices.h"
 
 namespace deliso {
 namespace {
 
-// Adds the vertices of a label's own mesh, with the mean length of their edges.
-void add_seeds(const TriMesh& mesh, const Vec3& offset, std::vector<InterfaceSeed>& seeds) {
-  std::vector<double> sum(mesh.points.size()), edges(mesh.points.size());
-  for (const Face& face : mesh.faces) {
-    for (int i = 0; i < 3; ++i) {
-      const VertexId a = face.v[i], b = face.v[(i + 1) % 3];
-      sum[a.number()] += distance(mesh.points[a], mesh.points[b]);
-      ++edges[a.number()];
+constexpr std::string_view kAllLabels = " label=all";  // at the end of the file's comment
+
+using Warn = std::function<void(const std::string&)>;
+
+// Throws InputError if a label has more than 32 bits, or a number that stands for a face of the
+// box.
+void require_numbers(const CommandLine& line, std::span<const LabelSamples> labels) {
+  for (const LabelSamples& l : labels) {
+    if (l.label != static_cast<std::int32_t>(l.label)) {
+      throw InputError(line.input, ": label ", l.label, " has more than 32 bits for --shared");
     }
-  }
-  for (std::size_t v = 0; v < sum.size(); ++v) {
-    if (edges[v] > 0) seeds.push_back({mesh.points[VertexId(v)] + offset, sum[v] / edges[v]});
+    if (line.options.cap && l.label < 0 && l.label >= -6) {
+      throw InputError(line.input, ": label ", l.label,
+                       ": with --cap, -1 to -6 stand for the faces of the volume");
+    }
   }
 }
 
-// The volume in background, and what is known of its labels; the background is the first.
-struct Bodies {
-  std::vector<LabelSamples> labels;
-  std::vector<BodyField> fields;
-  std::vector<TopologyCounts> exact;
-  std::vector<double> seconds;  // for its own mesh
-  std::vector<InterfaceSeed> seeds;
-  double max_distance = 0;
-};
-
-Bodies bodies_of(const CommandLine& line, const Volume& volume, ProgressBar& progress) {
-  const int threads = line.options.threads;
-  LabelFields fields = label_fields(volume, line.field, find_labels(volume, line.input, threads),
-                                    line.input, threads);
-  Bodies all;
-  all.labels = fields.weighed();
-  std::stable_partition(all.labels.begin(), all.labels.end(),
-                        [](const LabelSamples& l) { return l.label == 0; });
-  for (const LabelSamples& l : all.labels) {
-    const Stopwatch watch;
-    const Vec3 offset = volume.position(fields.extent_of_field(l.label).first);
-    all.fields.push_back({fields.field(l.label), offset});
-    Report report;
-    if (l.label != 0) {
-      Options options = line.options;
-      options.observer = &progress;
-      const TriMesh mesh = mesh_isosurface(all.fields.back().volume, 0, options, report);
-      add_seeds(mesh, offset, all.seeds);
-      all.max_distance = std::max(all.max_distance, report.max_distance);
-    }
-    all.exact.push_back(report.exact);
-    all.seconds.push_back(watch.seconds());
+// The size of all interfaces: each is the border of two labels, near 0.5 of each one's field.
+SurfaceEstimate estimate_interfaces(std::span<const Volume> fields) {
+  constexpr double kHalf = 0.5;
+  SurfaceEstimate all;
+  for (const Volume& field : fields) {
+    const SurfaceEstimate one = estimate_surface(field, kHalf);
+    all.crossings += one.crossings / 2;
+    all.area += one.area / 2;
+    all.thin += one.thin * one.crossings / 2;
   }
+  all.thin /= std::max(1.0, all.crossings);
   return all;
 }
 
-// Returns the mesh of all interfaces, and how its file is written: with the labels of each facet.
-TriMesh united(const InterfaceMesh& mesh, const Bodies& bodies, MeshWriteOptions& write) {
-  std::vector<Triangle> triangles;
-  for (const InterfaceFacet& facet : mesh.facets) {
-    triangles.push_back(facet.v);
-    std::array<std::int32_t, 2> sides;
-    for (std::size_t n = 0; n < 2; ++n) {
-      sides[n] = static_cast<std::int32_t>(bodies.labels[facet.bodies[n]].label);
-    }
-    write.sides.push_back(sides);
+// Returns the labels' weighted indicators.
+std::vector<Volume> fields_of(SharedRun& run, Progress& progress) {
+  const CommandLine& line = run.line;
+  const Volume& volume = run.input.volume();
+  const Stopwatch watch;
+  std::vector<LabelSamples> found;
+  for (const SharedLabel& l : run.labels) found.push_back(l.label);
+  LabelFields fields = label_fields(volume, line.field, found, line.input, line.options.threads);
+  progress.show("fields", 0);
+  fields.weighed();
+  std::vector<Volume> all;
+  for (SharedLabel& l : run.labels) {
+    progress.show("fields", static_cast<double>(all.size()) / static_cast<double>(found.size()));
+    const Stopwatch one;
+    l.label = fields.weighed(l.label.label);
+    all.push_back(fields.weighted(l.label.label));
+    l.seconds = one.seconds();
   }
-  return make_tri_mesh(mesh.points, triangles);
+  run.input.field.seconds = watch.seconds();
+  return all;
+}
+
+// Returns the body of label 0; kNoId if there is none.
+BodyId background_of(std::span<const SharedLabel> labels) {
+  for (BodyId body = 0; body < labels.size(); ++body) {
+    if (labels[body].label.label == 0) return body;
+  }
+  return kNoId;
+}
+
+// Tells of each label without a sample where its field is the largest.
+void warn_of_vanished(SharedRun& run, const Partition& partition, const Warn& warn) {
+  const std::vector<std::uint64_t> kept = partition.samples();
+  for (BodyId body = 0; body < run.labels.size(); ++body) {
+    SharedLabel& l = run.labels[body];
+    l.kept = kept[body];
+    if (l.kept == 0) warn(vanished_text(text(l.label.label), l.label.samples));
+  }
+}
+
+// Fills in what stands in front of each facet and behind it, and the borders.
+void find_sides(SharedRun& run, const Partition& partition) {
+  const auto side_of = [&](BodyId body) {
+    if (!partition.is_beyond(body)) return static_cast<std::int32_t>(run.labels[body].label.label);
+    return -static_cast<std::int32_t>(body - partition.beyond(0)) - 1;
+  };
+  const std::vector<Vec3>& p = run.mesh.points;
+  std::map<std::array<std::int32_t, 2>, SharedBorder> borders;
+  for (const InterfaceFacet& facet : run.mesh.facets) {
+    const auto& [a, b, c] = facet.v;
+    const std::array sides{side_of(facet.bodies[0]), side_of(facet.bodies[1])};
+    run.sides.push_back(sides);
+    SharedBorder& border = borders[sides];
+    border.sides = sides;
+    border.is_cap = partition.is_beyond(facet.bodies[0]);
+    ++border.triangles;
+    border.area += length(area_normal(p[a], p[b], p[c])) / 2;
+  }
+  for (const auto& [sides, border] : borders) run.borders.push_back(border);
+}
+
+// Counts, measures and tests the mesh of each label.
+void examine_labels(SharedRun& run, const Volume& volume) {
+  const Vec3 s = volume.spacing();
+  for_each_task(run.line.options.threads, run.labels.size(), [&](std::size_t body) {
+    SharedLabel& l = run.labels[body];
+    const TriMesh mesh = run.mesh.mesh_of(static_cast<BodyId>(body));
+    l.voxel_volume = world_volume(l.label.volume * s.x * s.y * s.z, volume.frame());
+    l.vertices = mesh.points.size();
+    l.triangles = mesh.faces.size();
+    const TopologyCounts counts = mesh_topology(mesh).counts();
+    // With --cap the background is counted with caps that its mesh has not.
+    l.mesh = l.label.label == 0 ? run.mesh.topology[body] : counts;
+    l.exact = run.mesh.exact[body];
+    if (counts.boundary_loops == 0) {
+      l.mesh_volume = world_volume(enclosed_volume(mesh), volume.frame());
+    }
+    l.fault = check_mesh(mesh);
+    if (l.fault.empty()) l.fault = check_boundary_on_box(mesh, volume.box());
+  });
+}
+
+// Measures the whole mesh, and looks for crossings in it as its file will have it.
+void examine_whole(SharedRun& run) {
+  const TriMesh mesh = united_mesh(run);
+  const double lambda = run.line.options.limits[Criterion::r_over_l].value;
+  run.quality = measure_quality(mesh, lambda, run.line.options.r_min.in(run.input.volume()));
+  MeshWriteOptions write = united_options(run);
+  if (!write.format) write.format = MeshFormat::ply;
+  const WrittenMesh written = written_mesh(mesh, write);
+  run.written = find_place_faults(written.points, written.triangles, run.line.options.threads);
+  std::vector<VertexId> used;
+  for (std::size_t f = 0; f < run.mesh.inner_facets; ++f) {
+    used.insert(used.end(), run.mesh.facets[f].v.begin(), run.mesh.facets[f].v.end());
+  }
+  sort_unique(used);
+  run.surface_vertices = used.size();
+}
+
+void mesh_labels(SharedRun& run, Progress& progress, const Warn& warn) {
+  const CommandLine& line = run.line;
+  const Volume volume = run.input.volume();
+  require_limits(line.options, volume);
+  std::vector<Volume> fields = fields_of(run, progress);
+  warn_of_size(expected_vertices(estimate_interfaces(fields), volume, line.options), warn);
+  const Partition partition(volume, std::move(fields), background_of(run.labels),
+                            line.options.threads);
+  warn_of_vanished(run, partition, warn);
+  Options options = line.options;
+  options.observer = &progress;
+  run.mesh = mesh_interfaces(partition, options, run.report);
+  if (run.mesh.facets.empty() && !line.allow_empty) {
+    throw InputError(line.input,
+                     ": no two labels meet, so the mesh is empty (--cap closes labels "
+                     "on the volume's border, --allow-empty accepts it)");
+  }
+  progress.show("check", 0);
+  const Stopwatch watch;
+  find_sides(run, partition);
+  examine_labels(run, volume);
+  examine_whole(run);
+  const CountedMesh asked = counted_mesh(run);
+  if (count_stop(asked) != CountStop::none) warn(count_text(asked));
+  run.seconds_check = watch.seconds();
+}
+
+// "fields 0.10, labels 0.01", in seconds; what took none is left out.
+std::string stages_text(const SharedRun& run) {
+  std::string words;
+  const Report& report = run.report;
+  for (const auto& [stage, seconds] :
+       {std::pair{"read", run.input.seconds}, std::pair{"fields", run.input.field.seconds},
+        std::pair{"labels", report.seconds_contour}, std::pair{"coarsen", report.seconds_coarsen},
+        std::pair{"refine", report.seconds_refine}, std::pair{"check", run.seconds_check},
+        std::pair{"write", run.seconds_write}}) {
+    if (seconds > 0) words += text(words.empty() ? "" : ", ", stage, " ", fixed(seconds, 2));
+  }
+  return words;
+}
+
+// Returns the share of the facets, in percent, with an angle below 15 degrees.
+double sharp_percent(const MeshQuality& quality) {
+  const auto& bins = quality.angle_histogram;
+  if (quality.faces == 0) return 0;
+  return 100 * static_cast<double>(bins[0] + bins[1] + bins[2]) /
+         static_cast<double>(quality.faces);
 }
 
 }  // namespace
 
-std::string label_heading() {
-  std::string heading;
-  append_format(heading, "%10s %11s %8s %10s %12s %12s %10s %10s %9s %8s\n", "label", "voxels",
-                "weight", "vertices", "voxel volume", "mesh volume", "difference", "components",
-                "topology", "seconds");
-  return heading;
+SharedRun::SharedRun(const CommandLine& command_line, const Source& source,
+                     std::span<const CommandLine> lines)
+    : line(command_line), input{line.input,     unfiltered_field(source.volume, line.field),
+                                source.range,   source.log,
+                                source.seconds, {},
+                                source.warning} {
+  for (const LabelSamples& found : source.labels) {
+    SharedLabel label;
+    label.label = found;
+    const auto own = std::ranges::find_if(
+        lines, [&](const CommandLine& one) { return one.field.labels.front() == found.label; });
+    if (own != lines.end()) label.name = own->write.name;
+    labels.push_back(std::move(label));
+  }
+  require_numbers(line, source.labels);
 }
 
-std::string text_of(const LabelRow& row) {
-  const bool closed = row.mesh_volume != 0;
-  std::string line, off;
-  if (closed) append_format(off, "%.2f %%", 100 * (row.mesh_volume / row.voxel_volume - 1));
-  append_format(line, "%10s %11s %8s %10s %12s %12s %10s %10s %9s %8.2f\n",
-                text(row.label.label).c_str(), grouped(row.label.samples).c_str(),
-                rounded(row.label.weight, 3).c_str(), grouped(row.vertices).c_str(),
-                volume_text(row.voxel_volume).c_str(),
-                (closed ? volume_text(row.mesh_volume) : "open").c_str(), off.c_str(),
-                grouped(row.components).c_str(), row.exact ? "exact" : "not exact", row.seconds);
-  return line;
+bool SharedRun::sound() const {
+  return written.count() == 0 && std::ranges::all_of(labels, [](const SharedLabel& l) {
+           return l.fault.empty() && l.mesh == l.exact;
+         });
 }
 
-int mesh_shared(const CommandLine& line, const Source& source, std::span<const CommandLine> lines) {
-  const Stopwatch watch;
-  ProgressBar progress(mesh_stages(line), !line.quiet);
-  for (const LabelSamples& l : source.labels) {
-    if (l.label != static_cast<std::int32_t>(l.label)) {
-      throw InputError(line.input, ": label ", l.label, " has more than 32 bits for --shared");
-    }
+void make_shared_mesh(SharedRun& run, Progress& progress, const Warn& warn) {
+  of_unchanged(run.input.log.files, [&] {
+    mesh_labels(run, progress, warn);
+    return true;
+  });
+}
+
+TriMesh united_mesh(const SharedRun& run) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(run.mesh.facets.size());
+  for (const InterfaceFacet& facet : run.mesh.facets) triangles.push_back(facet.v);
+  TriMesh mesh = make_tri_mesh(run.mesh.points, triangles);
+  mesh.frame = run.input.volume().frame();
+  return mesh;
+}
+
+MeshWriteOptions united_options(const SharedRun& run) {
+  MeshWriteOptions write = run.line.write;
+  if (!run.line.shared.empty()) write.format = mesh_format_of(run.line.shared);
+  write.comment = text("deliso ", kVersion, " shared",
+                       field_note(run.line.field, run.input.volume()), kAllLabels);
+  write.sides = run.sides;
+  if (run.line.options.cap) write.first_cap = run.mesh.inner_facets;
+  return write;
+}
+
+MeshWriteOptions options_of_label(const MeshWriteOptions& united, std::int64_t label) {
+  MeshWriteOptions write = united;
+  if (write.comment.ends_with(kAllLabels)) {
+    write.comment.resize(write.comment.size() - kAllLabels.size());
+    write.comment += text(" label=", label);
   }
-  // The labels end in a margin of background, so that their meshes are closed.
-  Index3 margin = label_fields(source.volume, line.field, source.labels, line.input, 1).reach();
-  for (int axis = 0; axis < 3; ++axis) margin[axis] += 2;
-  const Volume volume = with_background(source.volume, margin);
-  require_unchanged(source.log.files);  // this copy is all that is read from here on
-  Bodies bodies = bodies_of(line, volume, progress);
-  const Partition partition(std::move(bodies.fields));
-  progress.show("interfaces", 0);
-  const InterfaceMesh all = mesh_interfaces(partition, bodies.seeds, bodies.max_distance);
-  bool sound = all.largest_distance <= bodies.max_distance;
-  std::size_t pinched = 0;
-  std::vector<MeshObject> objects;
-  std::vector<std::int64_t> labels;
-  std::string table = label_heading();
-  const Vec3 s = volume.spacing();
-  for (BodyId body = 1; body < bodies.labels.size(); ++body) {
-    TriMesh mesh = all.mesh_of(body);
-    mesh.frame = volume.frame();
-    const bool exact = all.is_manifold[body] != 0 && all.topology[body] == bodies.exact[body];
-    sound &= exact;
-    pinched += all.is_manifold[body] == 0 ? 1 : 0;
-    const LabelSamples& label = bodies.labels[body];
-    table += text_of({label, world_volume(label.volume * s.x * s.y * s.z, mesh.frame),
-                      world_volume(enclosed_volume(mesh), mesh.frame), mesh.points.size(),
-                      all.topology[body].components, exact, bodies.seconds[body]});
-    const CommandLine& one = lines[body - 1];
-    MeshWriteOptions write = one.write;
-    write.comment = text("deliso label=", label.label, " of ", line.shared);
-    if (in_one_file(line)) {
-      objects.push_back({std::move(mesh), write});
-      labels.push_back(label.label);
-    } else if (!one.output.empty()) {
-      const DeferSignals defer;
-      write_mesh(mesh, one.output, write);
-    }
+  if (write.first_cap) {
+    write.first_cap = static_cast<std::size_t>(std::ranges::count_if(
+        std::span(united.sides).first(*united.first_cap),
+        [&](const auto& sides) { return sides[0] == label || sides[1] == label; }));
   }
-  if (!objects.empty()) write_labels(std::move(objects), labels, line.output);
-  MeshWriteOptions write = line.write;
-  write.format = mesh_format_of(line.shared);
-  write.comment = "deliso label=all, two labels for each facet";
-  TriMesh mesh = united(all, bodies, write);
-  mesh.frame = volume.frame();
-  const WrittenMesh written = written_mesh(mesh, write);
-  const PlaceFaults faults =
-      find_place_faults(written.points, written.triangles, line.options.threads);
-  sound &= faults.count() == 0;
-  const DeferSignals defer;
-  write_mesh(mesh, line.shared, write);
-  progress.clear();
-  if (!line.quiet) {
-    const MeshQuality quality = measure_quality(mesh, 2, 0);
-    table +=
-        text("shared    ", grouped(mesh.points.size()), " vertices, ", grouped(mesh.faces.size()),
-             " triangles -> ", line.shared, ", ", rounded(watch.seconds(), 3), " s\n          ",
-             faults.count() == 0 ? "no crossings" : place_faults_text(faults), ", ",
-             pinched == 0 ? "" : text(pinched, " labels no manifold, "),
-             rounded(all.largest_distance / volume.voxel(), 3),
-             " voxels from the interfaces at most, smallest angle ", rounded(quality.min_angle, 3),
-             " degrees\n");
-    print_report(table, line.output == "-");
+  write.sides.clear();
+  return write;
+}
+
+CountedMesh counted_mesh(const SharedRun& run) {
+  TopologyCounts all;
+  for (const SharedLabel& l : run.labels) {
+    if (l.label.label == 0) continue;
+    all.components += l.mesh.components;
+    all.euler += l.mesh.euler;
+    all.boundary_loops += l.mesh.boundary_loops;
   }
-  return sound ? kExitSuccess : kFaultFound;
+  return {run.line.options,   run.surface_vertices, run.mesh.inner_facets,
+          Options::kNoTarget, Options::kNoTarget,   all};
+}
+
+std::string report_text(const SharedRun& run) {
+  std::string lines = label_heading();
+  for (const SharedLabel& l : run.labels) {
+    if (l.label.label != 0) lines += text_of(l);
+  }
+  const std::size_t facets = run.mesh.facets.size(), caps = facets - run.mesh.inner_facets;
+  const auto pairs = static_cast<std::uint64_t>(std::ranges::count_if(
+      run.borders, [](const SharedBorder& border) { return !border.is_cap; }));
+  lines += text("shared    ", counted(run.mesh.points.size(), "vertex", "vertices"), ", ",
+                counted(facets, "triangle"),
+                caps > 0 ? text(" (", grouped(caps), " on the volume's border)") : "", " -> ",
+                one_line(run.line.shared), "\n          ", counted(pairs, "pair"), " of labels, ",
+                run.written.count() == 0 ? "no crossings" : place_faults_text(run.written),
+                ", smallest angle ", fixed(run.quality.min_angle, 2), " degrees, ",
+                fixed(sharp_percent(run.quality), 2), " % below 15\n");
+  for (const SharedLabel& l : run.labels) {
+    if (!l.fault.empty()) lines += text("fault     label ", l.label.label, ": ", l.fault, "\n");
+  }
+  const CountedMesh asked = counted_mesh(run);
+  if (count_stop(asked) != CountStop::none) lines += text("count     ", count_text(asked), "\n");
+  for (const SharedBorder& border : run.borders) {
+    if (!run.line.verbose) break;
+    lines += text("border    ", border.sides[0], " and ", border.sides[1], ": ") +
+             counted(border.triangles, "triangle") + ", area " + rounded(border.area, 6) + "\n";
+  }
+  lines += counters_text(run.report);
+  if (run.line.verbose) lines += operations_text(run.report);
+  return lines + text("cost      ", stages_text(run), "; ", fixed(run.seconds_total, 2),
+                      " seconds, ", fixed(static_cast<double>(run.peak_bytes) / 0x1p20, 1),
+                      " MiB at most\n");
 }
 
 }  // namespace deliso

@@ -1,29 +1,83 @@
 // SPDX-License-Identifier: MIT
-// deliso mesh --label all --shared FILE: labels with common vertices.
+// A run of deliso mesh --label all --shared without its files: all labels as one mesh, in which
+// neighbors have common vertices and triangles. And its results as text and as JSON.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/command_line.h"
+#include "app/count_stop.h"
 #include "app/input.h"
+#include "app/label_table.h"
+#include "app/progress.h"
+#include "check/place_faults.h"
+#include "check/quality.h"
+#include "io/mesh/write_mesh.h"
+#include "mesh/tri_mesh.h"
+#include "more/bodies/bodies.h"
+#include "run/report.h"
 
 namespace deliso {
 
-// What the table of --label all says of a label's mesh.
-struct LabelRow {
-  const LabelSamples& label;
-  double voxel_volume = 0, mesh_volume = 0;  // mesh_volume is 0 of an open mesh
-  std::size_t vertices = 0;
-  std::uint64_t components = 0;
-  bool exact = false;
-  double seconds = 0;
+struct SharedLabel : LabelRow {
+  std::uint64_t kept = 0;  // samples at which its field is the largest; 0: it vanished
+  std::string fault;       // the first rule of mesh/tri_mesh.h that its mesh breaks, or empty
 };
-std::string label_heading();
-std::string text_of(const LabelRow& row);
 
-// Meshes the interfaces of all labels, and writes them into the line's `shared`. `lines` are those
-// of the labels, whose meshes are written too if they have an output. Returns the exit status.
-int mesh_shared(const CommandLine& line, const Source& source, std::span<const CommandLine> lines);
+// The facets between two labels, or a label and a face of the box.
+struct SharedBorder {
+  std::array<std::int32_t, 2> sides{};  // as MeshWriteOptions has them
+  bool is_cap = false;
+  std::size_t triangles = 0;
+  double area = 0;  // scaled frame
+};
+
+struct SharedRun {
+  // `lines`: those of the labels but 0 (lines_of_labels()).
+  SharedRun(const CommandLine& command_line, const Source& source,
+            std::span<const CommandLine> lines);
+
+  const CommandLine& line;
+  Input input;  // the labels, before they are smoothed
+  // Of each body of the mesh, in the order of their numbers.
+  std::vector<SharedLabel> labels;
+
+  Report report;
+  InterfaceMesh mesh;
+  // Per facet the labels in front of it and behind. Face f of the box (base/box3.h) is -(f + 1).
+  std::vector<std::array<std::int32_t, 2>> sides;
+  std::size_t surface_vertices = 0;  // of facets between labels
+  std::vector<SharedBorder> borders;
+  MeshQuality quality;  // of all facets
+  PlaceFaults written;  // of the mesh as it is in the file
+  double seconds_check = 0, seconds_write = 0, seconds_total = 0;
+  std::uint64_t peak_bytes = 0;  // of the process
+
+  bool sound() const;
+};
+
+// Meshes the labels of the volume and looks at the mesh. Calls `warn` with each warning, one line:
+// of each label that vanished, too. Throws InputError, also if a file of the input has changed.
+void make_shared_mesh(SharedRun& run, Progress& progress,
+                      const std::function<void(const std::string&)>& warn);
+
+// Returns the mesh of all interfaces, with the frame of the volume, and how it is written. It is no
+// manifold where three labels meet.
+TriMesh united_mesh(const SharedRun& run);
+MeshWriteOptions united_options(const SharedRun& run);
+// Returns how the mesh of one label of it is written.
+MeshWriteOptions options_of_label(const MeshWriteOptions& united, std::int64_t label);
+
+// For a number that was asked for. The topology is that of all labels together.
+CountedMesh counted_mesh(const SharedRun& run);
+
+std::string report_text(const SharedRun& run);
+std::string report_json(const SharedRun& run);
 
 }  // namespace deliso

@@ -35,6 +35,7 @@ struct deliso_mesh {
   deliso::MeshWriteOptions write;
   deliso::AnatomicalSpace space{};
   double rounding = 0;  // of MeshNotes, of a mesh that was read
+  std::string names;    // of labels' segments in a mesh of all labels: lines "label name"
   std::string report, warnings;
 };
 

@@ -16,12 +16,15 @@
 #include "app/info.h"
 #include "app/input.h"
 #include "app/mesh_run.h"
+#include "app/peak_memory.h"
 #include "app/run.h"
+#include "app/shared_labels.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "base/version.h"
 #include "c/call.h"
+#include "io/files/text_scan.h"
 #include "io/filter/nan_samples.h"
 #include "io/mesh/read_mesh.h"
 #include "io/mesh/write_mesh.h"
@@ -95,6 +98,15 @@ std::vector<Vec3> read_vectors(const double* numbers, std::size_t count) {
     vectors.push_back({at[0], at[1], at[2]});
   }
   return vectors;
+}
+
+// Returns the name of a label in lines "label name", or an empty text.
+std::string name_of_label(const std::string& names, std::int64_t label) {
+  const std::string head = text(label, " ");
+  for (const std::string_view line : split(names, '\n')) {
+    if (line.starts_with(head)) return std::string(line.substr(head.size()));
+  }
+  return {};
 }
 
 std::string text_or_empty(const char* text) {
@@ -181,6 +193,64 @@ deliso_status deliso_mesh_labels(const deliso_volume* volume, const char* const*
   });
 }
 
+deliso_status deliso_mesh_shared(const deliso_volume* volume, const char* const* options,
+                                 const deliso_watch* watch, deliso_mesh** mesh) {
+  return guarded(watch, [&] {
+    require(volume, "volume");
+    require(mesh, "mesh");
+    const Stopwatch total;
+    CommandLine line =
+        line_of({"mesh", "--label=all", "--shared=array.ply"}, *volume, kNoIsovalue, options);
+    WatchedProgress progress(mesh_stages(line), watch);
+    line.shared.clear();  // no file is written
+    line.write.format.reset();
+    const Source source = ::source_of(*volume, line);
+    SharedRun run(line, source, lines_of_labels(line, source));
+    auto made = std::make_unique<deliso_mesh>();
+    make_shared_mesh(run, progress,
+                     [&](const std::string& warning) { made->warnings += warning + "\n"; });
+    made->mesh = written_mesh(united_mesh(run), {.format = MeshFormat::ply});
+    made->write = united_options(run);
+    made->space = source.volume.frame().space;
+    for (const SharedLabel& l : run.labels) {
+      if (!l.name.empty()) made->names += text(l.label.label, " ", one_line(l.name), "\n");
+    }
+    run.peak_bytes = peak_memory_bytes();
+    run.seconds_total = total.seconds();
+    made->report = report_json(run);
+    *mesh = made.release();
+    return run.sound();
+  });
+}
+
+const int32_t* deliso_mesh_sides(const deliso_mesh* mesh, size_t* count) {
+  const auto& sides = mesh_or_empty(mesh).write.sides;
+  if (count) *count = sides.size();
+  return sides.empty() ? nullptr : sides.front().data();
+}
+
+deliso_status deliso_mesh_of_label(const deliso_mesh* shared, int64_t label, deliso_mesh** mesh) {
+  return guarded(nullptr, [&] {
+    require(shared, "shared");
+    require(mesh, "mesh");
+    const auto& sides = shared->write.sides;
+    if (sides.empty()) throw InputError("the mesh is none of all labels");
+    InterfaceMesh all;  // of two bodies: the label, and what is around it
+    all.points = shared->mesh.points;
+    for (std::size_t f = 0; f < sides.size(); ++f) {
+      const BodyId front = sides[f][0] == label ? 0 : 1, behind = sides[f][1] == label ? 0 : 1;
+      if (front != behind) all.facets.push_back({shared->mesh.triangles[f], {front, behind}});
+    }
+    auto made = std::make_unique<deliso_mesh>();
+    made->mesh = written_mesh(all.mesh_of(0), {.format = MeshFormat::ply});
+    made->write = options_of_label(shared->write, label);
+    made->write.name = name_of_label(shared->names, label);
+    made->space = shared->space;
+    *mesh = made.release();
+    return true;
+  });
+}
+
 deliso_status deliso_mesh_import(const double* vertices, size_t vertex_count,
                                  const uint32_t* triangles, size_t triangle_count,
                                  deliso_mesh** mesh) {
@@ -207,6 +277,8 @@ deliso_status deliso_mesh_get_data(const deliso_mesh* mesh, deliso_mesh_data* da
     data->space = short_name_of(mesh->space).data();
     data->first_cap = mesh->write.first_cap.value_or(SIZE_MAX);
     data->single_precision = mesh->write.single_precision;
+    data->sides = deliso_mesh_sides(mesh, nullptr);
+    data->names = mesh->names.c_str();
     return true;
   });
 }
@@ -238,6 +310,10 @@ deliso_status deliso_mesh_from_data(const deliso_mesh_data* data, deliso_mesh** 
     made->write.name = text_or_empty(data->name);
     made->space = space_of(data->space);
     made->write.single_precision = data->single_precision != 0;
+    for (std::size_t n = 0; data->sides && n < data->triangle_count; ++n) {
+      made->write.sides.push_back({data->sides[2 * n], data->sides[2 * n + 1]});
+    }
+    made->names = text_or_empty(data->names);
     if (data->first_cap != SIZE_MAX) {
       if (data->first_cap > data->triangle_count) {
         throw InputError("first_cap is beyond the last triangle");

@@ -125,6 +125,25 @@ DELISO_API deliso_status deliso_mesh_labels(const deliso_volume* volume, const c
                                                          deliso_mesh* mesh, deliso_status status),
                                             void* context);
 
+/* Meshes all labels of a segmentation as one mesh, in which neighbors have common vertices and
+ * triangles, as the program does with --label all --shared. `options` are those of
+ * deliso_mesh_labels(), without "check", "largest" and "min-component". The mesh has no normals. It
+ * is no manifold where three labels meet; the mesh of each label is one. */
+DELISO_API deliso_status deliso_mesh_shared(const deliso_volume* volume, const char* const* options,
+                                            const deliso_watch* watch, deliso_mesh** mesh);
+
+/* Returns two labels for each triangle of such a mesh: the one in front, from which its corners are
+ * seen counterclockwise, and the one behind. With the option "cap" the triangles on the border of
+ * the volume have in front -1 at the low end of x, -2 at the high end, -3, -4 of y, and -5, -6 of
+ * z. Null, and a count of 0, of any other mesh. `count` may be null. */
+DELISO_API const int32_t* deliso_mesh_sides(const deliso_mesh* mesh, size_t* count);
+
+/* Makes the mesh of one label of such a mesh, counterclockwise seen from outside: its triangles,
+ * and their vertices. It is empty if no triangle has the label. It has no normals, report or
+ * warnings. */
+DELISO_API deliso_status deliso_mesh_of_label(const deliso_mesh* shared, int64_t label,
+                                              deliso_mesh** mesh);
+
 /* Makes a mesh, to be checked or saved, from copies of x, y, z for each vertex and of three numbers
  * of vertices for each triangle. It has no normals, report or warnings. */
 DELISO_API deliso_status deliso_mesh_import(const double* vertices, size_t vertex_count,
@@ -149,6 +168,8 @@ typedef struct deliso_mesh_data {
   const char* space;    /* of the volume, as in deliso_place */
   size_t first_cap;     /* triangles from this one on are caps; SIZE_MAX without the option "cap" */
   int single_precision; /* 1 with the option "float", else 0 */
+  const int32_t* sides; /* of deliso_mesh_sides(), two for each triangle; null if there are none */
+  const char* names;    /* beside sides: lines "label name", of the segments that have a name */
 } deliso_mesh_data;
 
 /* Fills in `data`. The mesh owns the arrays and texts. */

@@ -49,7 +49,6 @@ class LabelFields {
   Volume field(std::int64_t label);
   // Returns w_L s_L in float32, as a block of the volume in the same box: it is 0 beyond.
   Volume weighted(std::int64_t label);
-  Index3 reach() const { return reach_; }  // of the filter, in samples
   SampleExtent extent_of_field(std::int64_t label) const {
     return box(labels_[index_of(label)], 1);
   }
@@ -69,7 +68,7 @@ class LabelFields {
   std::vector<LabelSamples> labels_;
   std::vector<std::int64_t> united_;
   IndicatorFilter filter_;
-  Index3 reach_;
+  Index3 reach_;  // of the filter, in samples
   std::string_view name_;
   int threads_;
 };

@@ -153,25 +153,4 @@ Volume label_indicator(const Volume& volume, std::span<const std::int64_t> label
   return {dims, volume.spacing(), SampleType::u8, bytes.data.data(), bytes.owner, frame};
 }
 
-Volume with_background(const Volume& volume, Index3 margin) {
-  DELISO_CHECK(!volume.is_block());
-  const Index3 n = volume.dims();
-  const Index3 dims{n.i + 2 * margin.i, n.j + 2 * margin.j, n.k + 2 * margin.k};
-  Frame frame = volume.frame();
-  frame.origin = frame.to_world(volume.position({-margin.i, -margin.j, -margin.k}));
-  return volume.visit([&]<class T>(const T* samples) {
-    std::vector<T> wider(static_cast<std::size_t>(dims.i) * static_cast<std::size_t>(dims.j) *
-                         static_cast<std::size_t>(dims.k));
-    for (int k = 0; k < n.k; ++k) {
-      for (int j = 0; j < n.j; ++j) {
-        const T* const row = samples + volume.index(0, j, k);
-        const auto at = static_cast<std::size_t>(dims.j) * static_cast<std::size_t>(k + margin.k) +
-                        static_cast<std::size_t>(j + margin.j);
-        std::copy(row, row + n.i, wider.data() + at * static_cast<std::size_t>(dims.i) + margin.i);
-      }
-    }
-    return Volume::from_samples(dims, volume.spacing(), wider, frame);
-  });
-}
-
 }  // namespace deliso

@@ -48,7 +48,4 @@ LabelSamples united_labels(std::span<const LabelSamples> found,
 Volume label_indicator(const Volume& volume, std::span<const std::int64_t> labels,
                        const SampleExtent& box, int threads = 1);
 
-// Returns the volume in a margin of samples 0. Its frame is moved along. pre: it is no block.
-Volume with_background(const Volume& volume, Index3 margin);
-
 }  // namespace deliso

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
     from ._options import CheckOptions, InfoOptions, MeshOptions, RenderOptions
 
-__all__ = ["Error", "Labels", "Mesh", "check", "info", "join", "mesh", "mesh_blocks", "part", "read"]
+__all__ = ["Error", "Labels", "Mesh", "SharedLabels", "check", "info", "join", "mesh", "mesh_blocks", "part", "read"]
 __all__ += ["render", "version"]
 
 # An array, or what the program reads: a file, a folder of slices, builtin:NAME.
@@ -98,6 +98,8 @@ class _MeshData(ctypes.Structure):
         ("space", ctypes.c_char_p),
         ("first_cap", ctypes.c_ssize_t),  # -1, the largest size_t, without caps
         ("single_precision", ctypes.c_int),
+        ("sides", ctypes.c_void_p),
+        ("names", ctypes.c_char_p),
     ]
 
 
@@ -120,6 +122,8 @@ def _load():
         ("volume_free", None, pointer),
         ("mesh_create", int, pointer, ctypes.c_double, pointer, pointer, pointer),
         ("mesh_labels", int, pointer, pointer, pointer, _TAKE, pointer),
+        ("mesh_shared", int, pointer, pointer, pointer, pointer),
+        ("mesh_of_label", int, pointer, ctypes.c_int64, pointer),
         ("mesh_from_data", int, pointer, pointer),
         ("mesh_read", int, text, pointer),
         ("mesh_get_data", int, pointer, pointer),
@@ -386,12 +390,12 @@ class Mesh:
         normals = self._view(data.normals, data.vertex_count, ctypes.c_double)
         return vertices, triangles, normals
 
-    def _view(self, address, count, kind):
-        view = numpy.empty((0, 3), kind)
+    def _view(self, address, count, kind, columns=3):
+        view = numpy.empty((0, columns), kind)
         if address and count:
-            memory = (kind * (3 * count)).from_address(address)
+            memory = (kind * (columns * count)).from_address(address)
             memory.owner = self._handle
-            view = numpy.frombuffer(memory, kind).reshape(-1, 3)
+            view = numpy.frombuffer(memory, kind).reshape(-1, columns)
         view.flags.writeable = False
         return view
 
@@ -401,7 +405,8 @@ class Mesh:
         return other
 
     def __reduce__(self):
-        others = ("report", "warnings", "comment", "name", "space", "first_cap", "single_precision")
+        others = ("report", "warnings", "comment", "name", "names", "space", "first_cap")
+        others += ("single_precision",)
         remade = ("_handle", "_data", "vertices", "triangles", "normals")
         state = {name: value for name, value in vars(self).items() if name not in remade}
         return _from_data, (self._views(), {n: getattr(self._data, n) for n in others}), state
@@ -447,6 +452,55 @@ def _level(isovalue):
         return math.nan if isovalue is None else float(isovalue)
 
 
+class SharedLabels(Mesh):
+    """All labels of a segmentation as one mesh: neighbors have common vertices and triangles.
+
+    vertices, triangles  as of a Mesh; it is no manifold where three labels meet
+    labels     int32, (m, 2): the label in front of each triangle, from which its corners run
+               counterclockwise, and the label behind. With cap=True the triangles on the border of
+               the volume have in front -1 at the low end of x, -2 at the high end, -3, -4 of y, and
+               -5, -6 of z.
+    topology   by label: components, Euler number and boundary loops of its mesh, as a dict
+    report     what the program writes with --label all --shared and --json, as a dict
+
+    shared[7] is the mesh of label 7, keys() are the labels but 0. So deliso.Labels(shared) are all
+    of these meshes, and deliso.Labels(shared).save("organs.glb") writes them with their colors.
+    """
+
+    labels: numpy.ndarray
+    topology: Dict[int, Dict[str, int]]
+
+    def __init__(self, handle, sound=True):
+        super().__init__(handle, sound)
+        data = self._data
+        self.labels = self._view(data.sides, data.triangle_count, ctypes.c_int32, 2)
+        told = self.report.get("labels", [])
+        self.topology = {label["label"]: label["topology"] for label in told}
+
+    def __reduce__(self):
+        make, arguments, state = super().__reduce__()
+        return make, (*arguments, SharedLabels, state.pop("labels")), state
+
+    def keys(self):
+        """The labels but 0, ascending."""
+        return [label for label in self.topology if label != 0]
+
+    def mesh(self, label: int) -> Mesh:
+        """Returns the mesh of a label, without normals and report. It is closed with cap=True, and
+        else where the label is not at the border of the volume."""
+        if label not in self.topology:
+            raise KeyError(label)
+        handle = _MeshHandle()
+        _ok(_library.deliso_mesh_of_label(self._handle, label, ctypes.byref(handle)))
+        return Mesh(handle)
+
+    def __getitem__(self, label: int) -> Mesh:
+        return self.mesh(label)
+
+    def __repr__(self):
+        return f"<deliso.SharedLabels: {len(self.keys())} labels, {len(self.triangles)} triangles>"
+
+
 class Labels(Dict[int, Mesh]):
     """The meshes of the labels of a segmentation, by label."""
 
@@ -466,9 +520,10 @@ def mesh(
     origin: Three = None,
     direction: Optional[Sequence] = None,
     space: Optional[str] = None,
+    shared: bool = False,
     progress: Progress = False,
     **options: Unpack[MeshOptions],
-) -> Union[Mesh, Labels]:
+) -> Union[Mesh, Labels, SharedLabels]:
     """Meshes the surface on which the interpolated samples are `isovalue`. Returns a Mesh.
 
     source     an array: three-dimensional, indexed [z, y, x], of numbers or bools; 64-bit integers
@@ -482,6 +537,7 @@ def mesh(
     direction  matrix whose columns are the directions of x, y, z, as 3 x 3 or 9 numbers: that of
                SimpleITK's GetDirection()
     space      "RAS" or "LPS" (SimpleITK's): which way x, y, z run in a patient
+    shared     with label="all": the labels are one mesh, as SharedLabels
     progress   True draws a line on standard error; a function is called with (stage, share)
     options    those of the program's mesh command (deliso mesh --help): max_distance="0.1vox",
                largest=1, cap=True; True stands for an option without a value, lambda_ for lambda
@@ -490,7 +546,9 @@ def mesh(
     """
     volume = _Volume(source, spacing, origin, direction, space, options)
     if options.get("label") == "all" and isovalue is None:
-        return _meshes_of_labels(volume, options, progress)
+        return (_shared_labels if shared else _meshes_of_labels)(volume, options, progress)
+    if shared:
+        raise Error('shared=True is for label="all"')
     words = _options(options)
     handle = _MeshHandle()
     status = _watched(
@@ -504,8 +562,21 @@ def mesh(
     return _warned(Mesh(handle, status == _OK))
 
 
+def _options_of_all(options):
+    return _options({name: value for name, value in options.items() if name != "label"})
+
+
+def _shared_labels(volume, options, progress):
+    words, handle = _options_of_all(options), _MeshHandle()
+    to = ctypes.byref(handle)
+    status = _watched(
+        lambda watch: _ok(_library.deliso_mesh_shared(volume.handle, words, watch, to)), progress
+    )
+    return _warned(SharedLabels(handle, status == _OK), 3)
+
+
 def _meshes_of_labels(volume, options, progress):
-    words = _options({name: value for name, value in options.items() if name != "label"})
+    words = _options_of_all(options)
     made = []
     take = _TAKE(lambda _, label, mesh, status: made.append((label, _MeshHandle(mesh), status)))
     _watched(
@@ -614,8 +685,8 @@ def _mesh_of(mesh):
     return _from_data((vertices, numbers, numpy.empty((0, 3))), {"first_cap": -1})
 
 
-def _from_data(arrays, others):
-    """Returns a Mesh of copies: of vertices, triangles, normals or none, and the other data."""
+def _from_data(arrays, others, kind=Mesh, labels=None):
+    """Returns a mesh of copies: of vertices, triangles, normals or none, and the other data."""
     with _required("arrays of a mesh"):
         arrays = [numpy.ascontiguousarray(a, kind) for a, kind in zip(arrays, ("f8", "u4", "f8"))]
     if any(a.ndim != 2 or a.shape[1] != 3 for a in arrays):
@@ -623,17 +694,22 @@ def _from_data(arrays, others):
     vertices, triangles, normals = arrays
     if len(normals) not in (0, len(vertices)):
         raise Error("a mesh has a normal for each vertex, or none")
+    if labels is not None:
+        labels = numpy.ascontiguousarray(labels, "i4")
+        if labels.shape != (len(triangles), 2):
+            raise Error("a triangle has two labels")
     data = _MeshData(
         vertices=vertices.ctypes.data,
         vertex_count=len(vertices),
         triangles=triangles.ctypes.data,
         triangle_count=len(triangles),
         normals=normals.ctypes.data if len(normals) else None,
+        sides=None if labels is None else labels.ctypes.data,
         **others,
     )
     handle = _MeshHandle()
     _ok(_library.deliso_mesh_from_data(ctypes.byref(data), ctypes.byref(handle)))
-    return Mesh(handle)
+    return kind(handle)
 
 
 from ._parts import join, mesh_blocks, part  # noqa: E402  (which needs all of the above)

@@ -214,7 +214,7 @@ TEST_CASE("a mesh for each label, where the label lies, and each passes the chec
 TEST_CASE("shared labels are closed, and have the same vertices where they touch") {
   const Balls balls;
   const auto shared = [&](const std::string& file, const std::string& threads) {
-    return run_mesh(balls.line("--label all --shared " + balls.folder.path(file) + " -o " +
+    return run_mesh(balls.line("--label all --cap --shared " + balls.folder.path(file) + " -o " +
                                balls.folder.path("%d.ply") + " --threads " + threads));
   };
   CHECK(shared("all.ply", "1") == kExitSuccess);
@@ -227,7 +227,7 @@ TEST_CASE("shared labels are closed, and have the same vertices where they touch
   };
   for (const TriMesh& mesh : meshes) {
     CHECK(check_mesh(mesh).empty());
-    CHECK(mesh_topology(mesh).counts() == TopologyCounts{1, 2, 0});  // 4, too: the box closes it
+    CHECK(mesh_topology(mesh).counts() == TopologyCounts{1, 2, 0});  // 4, too: caps close it
   }
   CHECK(common(meshes[0], meshes[1]) > 5);
   CHECK(common(meshes[1], meshes[2]) > 5);

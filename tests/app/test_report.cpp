@@ -64,6 +64,10 @@ std::vector<JsonValue> all_reports() {
       "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n"
       "SPACING 1 1 1\nORIGIN 0 0 0\nPOINT_DATA 8\nSCALARS density float\nLOOKUP_TABLE default\n"
       "0 1 2 3 4 5 6 7\n");
+  const std::string labels =
+      folder.write("labels.raw", {0, 0, 0, 0, 0, 1, 1, 0, 0, 2, 2, 0, 0, 0, 0, 0,
+                                  0, 3, 3, 0, 0, 1, 1, 0, 0, 2, 2, 2, 0, 0, 0, 0}) +
+      " --dims 4x4x2 --type uint8";
   std::vector<JsonValue> all;
   for (const std::string& line :
        {field + " --check -o " + mesh, field + " --cap --check", field + " --vertices 300",
@@ -74,7 +78,8 @@ std::vector<JsonValue> all_reports() {
         "check " + bad + " " + field, "info " + field, "info " + field + " --iso 0.3",
         "info " + mask, mask + " --label 120,121,200 --smooth 2",
         mask + " --label 0 --median 1 --allow-empty", "info " + field + " --median 1 --smooth 1vox",
-        "info " + named + " --array density"}) {
+        "info " + named + " --array density",
+        labels + " --label all --cap --vertices 300 --shared " + mesh}) {
     all.push_back(written(folder, line));
   }
   return all;
@@ -273,13 +278,13 @@ TEST_CASE("every word of the reports is explained in the guide, once") {
   for (std::size_t n = 0; n < kRefusals; ++n) check_row(name_of(static_cast<Refusal>(n)));
   for (std::size_t n = 0; n < kFaultKinds; ++n) check_row(name_of(static_cast<FaultKind>(n)));
   for (const std::string_view word :
-       {"us/point", "searches/p", "CPI",           "CPI*",     "r",        "l",       "h",
-        "D",        "r_min",      "r/l",           "h/r",      "coarsen",  "done",    "counters",
-        "refused",  "kd-tree",    "exact contour", "initial",  "recover",  "poles",   "refine",
-        "cap",      "check",      "exact",         "solid",    "distance", "quality", "delaunay",
-        "mesh->",   "->mesh",     "criteria",      "boundary", "padding",  "try",     "filter",
-        "label",    "volume",     "largest",       "sizes",    "count",    "off",     "found",
-        "certified"}) {
+       {"us/point",  "searches/p", "CPI",           "CPI*",     "r",        "l",       "h",
+        "D",         "r_min",      "r/l",           "h/r",      "coarsen",  "done",    "counters",
+        "refused",   "kd-tree",    "exact contour", "initial",  "recover",  "poles",   "refine",
+        "cap",       "check",      "exact",         "solid",    "distance", "quality", "delaunay",
+        "mesh->",    "->mesh",     "criteria",      "boundary", "padding",  "try",     "filter",
+        "label",     "volume",     "largest",       "sizes",    "count",    "off",     "found",
+        "certified", "fields",     "labels",        "shared",   "border"}) {
     check_row(word);
   }
 }

@@ -8,15 +8,18 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "app/input.h"
+#include "app/mesh_run.h"
 #include "app/parsed_line.h"
 #include "app/run.h"
+#include "base/check.h"
 #include "base/random.h"
 #include "base/text.h"
 #include "cases.h"
-#include "check/quality.h"
 #include "io/files/temporary_folder.h"
 #include "io/mesh/read_mesh.h"
 #include "stress/shared_file.h"
@@ -75,6 +78,8 @@ struct RandomLabels {
     return false;
   }
 
+  Box3 box() const { return {{0, 0, 0}, {dims.i - 1., dims.j - 1., dims.k - 1.}}; }
+
   Index3 dims;
   int most = 0;
   std::vector<std::uint8_t> samples;
@@ -106,40 +111,38 @@ Corners3 corners_of(const Vec3& a, const Vec3& b, const Vec3& c) {
 TEST_CASE("random labels fill space once, between common triangles that never cross") {
   const TemporaryFolder folder;
   const std::uint64_t kVolumes = test::cases(120u);
-  int sound = 0, facets = 0, far = 0, samples = 0, uncertain = 0, twice = 0, kept = 0;
+  int facets = 0, caps = 0, far = 0, samples = 0, kept = 0;
   for (std::uint64_t seed = 0; seed < kVolumes; ++seed) {
     CAPTURE(seed);
     const RandomLabels labels(seed);
     folder.write("labels.raw", {labels.samples.begin(), labels.samples.end()});
-    const bool is_sharp = seed % 2 == 0;
+    const bool is_sharp = seed % 2 == 0, capped = seed % 4 < 2;
     const Index3 n = labels.dims;
-    const std::string dims = text(n.i, "x", n.j, "x", n.k);
-    const int status = run_mesh(
-        parsed(text(folder / "labels.raw", " --dims ", dims, " --type uint8 --label all --shared ",
-                    folder / "all.ply", " -o ", folder / "%d.ply",
-                    " -q --ply-ascii --double --smooth ", is_sharp ? "0.3vox" : "1vox")));
-    CHECK((status == kExitSuccess || status == kFaultFound));
-    sound += status == kExitSuccess ? 1 : 0;
+    const int status = run_mesh(parsed(text(
+        folder / "labels.raw", " --dims ", n.i, "x", n.j, "x", n.k,
+        " --type uint8 --label all --shared ", folder / "all.ply", " -o ", folder / "%d.ply",
+        " -q --ply-ascii --double --smooth ", is_sharp ? "0.3vox" : "1vox", capped ? " --cap" : "",
+        seed % 5 == 0 ? " --block-side 4" : "", " --threads ", 1 + seed % 3)));
+    CHECK(status == kExitSuccess);
     const SharedFile all = read_shared(folder / "all.ply");
-    CHECK(shared_fault(all, status == kExitSuccess) == "");
+    CHECK(shared_fault(all, labels.box(), capped) == "");
 
     for (std::size_t f = 0; f < all.triangles.size(); ++f) {
       const Vec3& p = all.points[all.triangles[f][0].number()];
-      for (const int side : all.sides[f]) far += labels.is_near(p, side) ? 0 : 1;
-      ++facets;
+      for (const int side : all.sides[f]) far += side < 0 || labels.is_near(p, side) ? 0 : 1;
+      ++(all.sides[f][0] < 0 ? caps : facets);
     }
 
     // Each label's own file has the same triangles, to the bit.
-    std::vector<std::vector<Triangle>> of{all.of(0)};
-    double sum = 0;
-    for (int label = 1; label <= labels.most; ++label) {
+    std::vector<std::vector<Triangle>> of;
+    for (int label = 0; label <= labels.most; ++label) {
       of.push_back(all.of(label));
+      if (label == 0 || of.back().empty()) continue;
       std::vector<Corners3> here, own;
       for (const Triangle& t : of.back()) {
         here.push_back(corners_of(all.points[t[0].number()], all.points[t[1].number()],
                                   all.points[t[2].number()]));
       }
-      if (here.empty()) continue;
       const TriMesh mesh = read_mesh(folder / text(label, ".ply"));
       for (const Face& face : mesh.faces) {
         own.push_back(
@@ -148,39 +151,170 @@ TEST_CASE("random labels fill space once, between common triangles that never cr
       std::ranges::sort(here);
       std::ranges::sort(own);
       CHECK(here == own);
-      sum += enclosed_volume(mesh);
     }
-    double background = 0;
-    for (const Triangle& t : of[0]) {
-      background += dot(all.points[t[0].number()],
-                        cross(all.points[t[1].number()], all.points[t[2].number()])) /
-                    6;
-    }
-    CHECK(sum == doctest::Approx(-background).epsilon(1e-9));
-
-    // A sample is inside one label: its own, if smoothing is slight.
-    for (int k = 1; k < n.k; k += 2) {
-      for (int j = k % 2; j < n.j; ++j) {
-        const int i = (j * 5 + k * 3) % n.i;
-        std::vector<int> inside;
-        for (int label = 1; label <= labels.most; ++label) {
-          const double turns =
-              winding(all, of[static_cast<std::size_t>(label)], {i + 1e-3, j + 2e-3, k - 1.7e-3});
-          uncertain += std::fabs(turns - std::round(turns)) > 1e-6 ? 1 : 0;
-          if (std::lround(turns) != 0) inside.push_back(label);
-        }
-        twice += inside.size() > 1 ? 1 : 0;
-        if (!is_sharp) continue;
-        ++samples;
-        kept += (inside.empty() ? 0 : inside[0]) == labels.at(i, j, k) ? 1 : 0;
+    if (!capped) continue;
+    // Near a sample is one label: its own, if smoothing is slight.
+    for_each_index(n, [&](int i, int j, int k) {
+      const auto within = [](int at, int count) { return at + (2 * at < count ? 2e-3 : -1.7e-3); };
+      const Vec3 p{within(i, n.i), within(j, n.j), within(k, n.k)};
+      int found = 0;
+      for (int label = 1; label <= labels.most; ++label) {
+        const double turns = winding(all, of[static_cast<std::size_t>(label)], p);
+        CHECK(std::fabs(turns - std::round(turns)) < 1e-6);
+        if (std::lround(turns) == 0) continue;
+        CHECK(found == 0);
+        found = label;
       }
+      ++samples;
+      kept += !is_sharp || found == labels.at(i, j, k) ? 1 : 0;
+    });
+  }
+  CHECK(facets > test::cases(30000));
+  CHECK(caps > test::cases(3000));
+  CHECK(far == 0);
+  CHECK(samples > test::cases(3000));
+  CHECK(kept == samples);
+}
+
+namespace {
+
+// Notes the stages that a run tells.
+struct ToldStages : Progress {
+  using Progress::Progress;
+  void stage_begins(const char* stage) override { told.insert(stage); }
+  void draw(const std::string&, double) override {}
+  std::set<std::string> told;
+};
+
+// Two halves of a block in background, and a voxel in one of them. The halves are labels 2 and 5,
+// the voxel is `odd`.
+struct Halves {
+  static constexpr Index3 kDims{9, 8, 7};
+  explicit Halves(int odd = 3) {
+    std::string samples;
+    for_each_index(kDims, [&](int i, int j, int k) {
+      const bool outside = j == 0 || k == 0;
+      const bool is_odd = i == 2 && j == 4 && k == 3;
+      samples += static_cast<char>(is_odd ? odd : outside ? 0 : i < 5 ? 2 : 5);
+    });
+    folder.write("halves.raw", samples);
+  }
+  CommandLine line_of(const std::string& more) const {
+    return parsed(folder / "halves.raw" + " --dims 9x8x7 --type int8 --label all " + more);
+  }
+  CommandLine line(const std::string& more) const {
+    return line_of("--shared " + (folder / "all.ply") + " " + more);
+  }
+  // Meshes the labels. Returns the warnings. The progress knows all stages.
+  std::vector<std::string> warnings(SharedRun& run) const {
+    std::vector<std::string> all;
+    const std::vector<StageCost> known = mesh_stages(run.line);
+    ToldStages stages(known);
+    make_shared_mesh(run, stages, [&](const std::string& w) { all.push_back(w); });
+    CHECK(!stages.told.empty());
+    for (const std::string& stage : stages.told) {
+      const bool is_known = std::ranges::any_of(
+          known, [&](const StageCost& s) { return s.stage == stage || s.together == stage; });
+      CHECK_MESSAGE(is_known, stage);
+    }
+    return all;
+  }
+  std::string refusal(const std::string& more) const {
+    try {
+      run_mesh(line("-q " + more));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  }
+  TemporaryFolder folder;
+};
+
+}  // namespace
+
+TEST_CASE("a label that vanishes is told of, with the samples that it had") {
+  const Halves halves;
+  for (const char* more : {"", "--median 1"}) {
+    CAPTURE(more);
+    const bool vanishes = *more != 0;
+    const CommandLine line = halves.line(more);
+    const Source source = read_source(line);
+    SharedRun run(line, source, lines_of_labels(line, source));
+    const std::vector<std::string> warnings = halves.warnings(run);
+    CHECK(run.sound());
+    REQUIRE(run.labels.size() == 4);
+    const SharedLabel& odd = run.labels[2];
+    CHECK(odd.label.label == 3);
+    CHECK(odd.label.samples == 1);
+    CHECK((odd.kept == 0) == vanishes);
+    CHECK((odd.triangles == 0) == vanishes);
+    CHECK(warnings.size() == (vanishes ? 1 : 0));
+    if (!vanishes) continue;
+    const std::string told =
+        "label 3 vanished: smoothing left nothing of its 1 sample; a smaller --smooth or "
+        "--median keeps more";
+    CHECK(warnings[0] == told);
+    CHECK(report_json(run).find("\"kept_voxels\": 0,") != std::string::npos);
+    // Of labels that are meshed one by one, too.
+    const CommandLine all = halves.line_of(more);
+    for (const CommandLine& one : lines_of_labels(all, source)) {
+      const Input input = input_of(source, one);
+      MeshRun alone(one, input);
+      ProgressBar none(mesh_stages(one), false);
+      std::vector<std::string> others;
+      mesh_input(alone, none, [&](const std::string& w) { others.push_back(w); });
+      CHECK(others == (one.field.labels[0] == 3 ? std::vector{told} : std::vector<std::string>()));
     }
   }
-  CHECK(sound > test::cases(60));
-  CHECK(facets > test::cases(30000));
-  CHECK(far == 0);
-  CHECK(uncertain == 0);
-  CHECK(twice == 0);
-  CHECK(samples > test::cases(300));
-  CHECK(kept == samples);
+}
+
+TEST_CASE("the report of common surfaces: topology, borders, caps, and a number that is not met") {
+  const Halves halves;
+  const CommandLine line = halves.line("--cap --vertices 4 --verbose --smooth 0.4vox");
+  const Source source = read_source(line);
+  SharedRun run(line, source, lines_of_labels(line, source));
+  const std::vector<std::string> warnings = halves.warnings(run);
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find(" without caps, 4 asked for: with fewer the topology would change") !=
+        std::string::npos);
+  CHECK(run.sound());
+  for (const SharedLabel& l : run.labels) {
+    if (l.label.label == 0) continue;
+    CHECK(l.exact ==
+          (l.label.label == 2 ? TopologyCounts{2, 4, 0} : TopologyCounts{1, 2, 0}));  // 3 is in 2
+    CHECK(l.mesh == l.exact);
+    REQUIRE(l.mesh_volume.has_value());
+    CHECK(*l.mesh_volume == doctest::Approx(l.voxel_volume).epsilon(0.2));
+  }
+  // The background is in front of 2 and 5, the larger label of the others; four faces are all of
+  // one label and background.
+  std::vector<std::array<std::int32_t, 2>> borders;
+  double area = 0;
+  for (const SharedBorder& border : run.borders) {
+    borders.push_back(border.sides);
+    CHECK(border.triangles > 0);
+    area += border.sides[0] < 0 ? border.area : 0;
+  }
+  const std::vector<std::array<std::int32_t, 2>> expected{
+      {-6, 2}, {-6, 5}, {-4, 2}, {-4, 5}, {-2, 5}, {-1, 2}, {0, 2}, {0, 5}, {3, 2}, {5, 2}};
+  CHECK(borders == expected);
+  // Caps without the background's: 8 x 6.5, 8 x 5.5, and two of 6.5 x 5.5.
+  CHECK(area == doctest::Approx(8 * 6.5 + 8 * 5.5 + 2 * 6.5 * 5.5).epsilon(0.02));
+  const std::string report = report_text(run);
+  for (const char* words : {"\nshared    ", "4 pairs of labels, no crossings, smallest angle ",
+                            "\ncount     ", "\nborder    5 and 2: ", "\ncost      read "}) {
+    CHECK_MESSAGE(report.find(words) != std::string::npos, words);
+  }
+}
+
+TEST_CASE("labels that cannot be common surfaces are refused in one line") {
+  const auto told = [](const std::string& message) { return message.substr(message.find(": ")); };
+  CHECK(told(Halves(-3).refusal("--cap")) ==
+        ": label -3: with --cap, -1 to -6 stand for the faces of the volume");
+  CHECK(Halves(-3).refusal("") == "");
+  CHECK(told(Halves(5).refusal("--roi 6:9,2:8,2:7")) ==
+        ": no two labels meet, so the mesh is empty (--cap closes labels on the volume's border, "
+        "--allow-empty accepts it)");
+  CHECK(Halves(5).refusal("--roi 6:9,2:8,2:7 --cap") == "");
+  CHECK(Halves(5).refusal("--roi 6:9,2:8,2:7 --allow-empty") == "");
 }

@@ -262,6 +262,61 @@ TEST_CASE("a check of the mesh, and of one that misses a triangle") {
   CHECK(deliso_check(mesh.get, volume.get, 2.5, options, nullptr, nullptr) == DELISO_BAD_INPUT);
 }
 
+TEST_CASE("labels as one mesh: the bytes of the program, two labels for each triangle") {
+  const test::TemporaryFolder folder;
+  std::string samples(8 * 8 * 8, 0);
+  for (std::size_t n = 0; n < samples.size(); ++n) {
+    if (n % 8 > 1 && n / 8 % 8 > 1) samples[n] = n % 8 < 5 ? 4 : 9;
+  }
+  const std::string npy = folder.write("v.npy", test::npy("|i1", false, "8, 8, 8", samples));
+  const std::size_t shape[] = {8, 8, 8};
+  deliso_volume* volume = nullptr;
+  REQUIRE(deliso_volume_create(samples.data(), DELISO_INT8, shape, DELISO_C_ORDER, nullptr,
+                               &volume) == DELISO_OK);
+  const char* const options[] = {"cap", "max-distance=0.3vox", nullptr};
+  MeshHandle shared, copy;
+  const deliso_status status = deliso_mesh_shared(volume, options, nullptr, &shared.get);
+  REQUIRE_MESSAGE(status == DELISO_OK, std::string(deliso_last_error()));
+  REQUIRE(run_mesh(test::parsed(npy + " --label all --cap --max-distance 0.3vox -q --shared " +
+                                folder.path("theirs.ply") + " -o " +
+                                folder.path("label-%d.ply"))) == kExitSuccess);
+  deliso_mesh_data data;
+  REQUIRE(deliso_mesh_get_data(shared.get, &data) == DELISO_OK);
+  REQUIRE(deliso_mesh_from_data(&data, &copy.get) == DELISO_OK);
+  const std::string ours = folder.path("ours.ply");
+  for (const deliso_mesh* mesh : {shared.get, copy.get}) {
+    REQUIRE(deliso_mesh_save(mesh, ours.c_str()) == DELISO_OK);
+    CHECK(test::file_bytes(ours) == test::file_bytes(folder.path("theirs.ply")));
+    std::size_t triangles = 0, sides = 0, of_labels = 0;
+    deliso_mesh_triangles(mesh, &triangles);
+    const std::int32_t* side = deliso_mesh_sides(mesh, &sides);
+    CHECK(sides == triangles);
+    for (const std::int64_t label : {4, 9, 5}) {
+      MeshHandle one;
+      REQUIRE(deliso_mesh_of_label(mesh, label, &one.get) == DELISO_OK);
+      deliso_mesh_triangles(one.get, &triangles);
+      CHECK(triangles == static_cast<std::size_t>(std::count(side, side + 2 * sides, label)));
+      of_labels += triangles;
+      if (label == 5) continue;
+      REQUIRE(deliso_mesh_save(one.get, ours.c_str()) == DELISO_OK);
+      CHECK(test::file_bytes(ours) ==
+            test::file_bytes(folder.path("label-" + std::to_string(label) + ".ply")));
+    }
+    CHECK(of_labels > sides);
+  }
+  CHECK(std::strstr(deliso_mesh_report(shared.get), "\"borders\""));
+  MeshHandle none;
+  const char* const checked[] = {"check", nullptr};
+  CHECK(deliso_mesh_shared(volume, checked, nullptr, &none.get) == DELISO_BAD_INPUT);
+  CHECK(std::string(deliso_last_error()) == "--shared and --check exclude each other");
+  MeshHandle four;
+  REQUIRE(deliso_mesh_of_label(shared.get, 4, &four.get) == DELISO_OK);
+  CHECK(deliso_mesh_sides(four.get, nullptr) == nullptr);
+  CHECK(deliso_mesh_of_label(four.get, 4, &none.get) == DELISO_BAD_INPUT);
+  CHECK(none.get == nullptr);
+  deliso_volume_free(volume);
+}
+
 TEST_CASE("a mesh made of another's data is the same") {
   const test::TemporaryFolder folder;
   const std::vector<float> samples = ball();

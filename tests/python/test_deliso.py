@@ -312,6 +312,52 @@ class TestMesh(TestCase):
             with open(self.path("all." + ending), "rb") as a, open(theirs, "rb") as b:
                 self.assertEqual(a.read(), b.read())
 
+    def test_shared_labels(self):
+        labels = numpy.zeros((12, 14, 16), "u1")
+        labels[2:, 3:11, 3:8], labels[2:, 3:11, 8:13] = 7, 3
+        shared = deliso.mesh(labels, label="all", shared=True, cap=True, spacing=(1, 1, 2))
+        self.assertTrue(shared.sound)
+        self.assertEqual(shared.keys(), [3, 7])
+        self.assertEqual(shared.labels.shape, (len(shared.triangles), 2))
+        self.assertEqual(set(map(tuple, shared.labels)), {(0, 3), (0, 7), (7, 3), (-6, 3), (-6, 7)})
+        caps = shared.vertices[shared.triangles[shared.labels[:, 0] == -6]]
+        self.assertTrue((caps[:, :, 2] == 22).all())
+        closed = {"components": 1, "euler": 2, "boundary_loops": 0}
+        for label in (3, 7):
+            m = shared[label]
+            self.assertEqual(shared.topology[label], closed)
+            self.assertEqual(len(m.triangles), (shared.labels == label).sum())
+            a, b, c = (m.vertices[m.triangles[:, k]] for k in range(3))
+            self.assertGreater((numpy.cross(a, b) * c).sum(), 0)
+        with self.assertRaises(KeyError):
+            shared.mesh(5)
+        # The same files as the program's, with the names of segments, also of a copy.
+        with open(self.path("v.nrrd"), "wb") as file:
+            file.write(b"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 16 14 12\nencoding: raw\n")
+            file.write(b"Segment0_Name:=Liver\nSegment0_LabelValue:=7\n\n" + labels.tobytes())
+        os.mkdir(self.path("theirs"))
+        theirs = self.path("theirs/")
+        subprocess.run(
+            [PROGRAM, self.path("v.nrrd"), "--label=all", "--cap", "-q"]
+            + ["--shared", theirs + "all.vtp", "-o", theirs + "all.glb"],
+            check=True,
+        )
+        named = deliso.mesh(self.path("v.nrrd"), label="all", shared=True, cap=True)
+        self.assertEqual([label["name"] for label in named.report["labels"]], ["", "", "Liver"])
+        for ours in (named, pickle.loads(pickle.dumps(named))):
+            ours.save(self.path("all.vtp"))
+            deliso.Labels(ours).save(self.path("all.glb"))
+            for name in ("all.vtp", "all.glb"):
+                with open(self.path(name), "rb") as a, open(theirs + name, "rb") as b:
+                    self.assertEqual(a.read(), b.read())
+        for options in ({"label": 3}, {"label": "all", "check": True}, {"label": "all", "largest": 1}):
+            with self.assertRaises(deliso.Error):
+                deliso.mesh(labels, shared=True, **options)
+        labels[1, 1, 1] = 9
+        with self.assertWarnsRegex(UserWarning, "label 9 vanished"):
+            shared = deliso.mesh(labels, label="all", shared=True, median=1)
+        self.assertEqual(len(shared[9].triangles), 0)
+
     def test_info(self):
         numpy.save(self.path("v.npy"), field())
         ours = deliso.info(field(), 10.25)

@@ -84,17 +84,17 @@ constexpr DrawnOption kDrawn[] = {
      kOtherField | kUsual},
     {"--shared",  // its name is that of the volume's file
      [](Random&, const OptionVolume& v) { return v.labels > 0 ? Words{"--shared"} : Words{}; },
-     kOtherField | kUsual | kNoParts | kNotPaper},
+     kOtherField | kUsual | kNoParts | kNotPaper | kShared},
     {"--smooth", [](Random& r, auto&) { return Words{"--smooth=" + number(r, 0.3, 2) + "vox"}; },
      kOtherField},
     {"--median", [](Random& r, auto&) { return Words{text("--median=", 1 + r.below(2))}; },
      kOtherField},
     {"--roi", roi, kOtherField},  // filters see only these samples
     {"--largest", [](Random& r, auto&) { return Words{text("--largest=", 1 + r.below(5))}; },
-     kNotPaper, components_differ},
+     kNotPaper | kNotShared, components_differ},
     {"--min-component",
-     [](Random& r, auto&) { return Words{"--min-component=" + number(r, 0.5, 12)}; }, kNotPaper,
-     components_differ},
+     [](Random& r, auto&) { return Words{"--min-component=" + number(r, 0.5, 12)}; },
+     kNotPaper | kNotShared, components_differ},
     {"--cap", [](Random&, auto&) { return Words{"--cap"}; }, kNotPaper},
     {"--vertices", [](Random& r, auto&) { return Words{"--vertices=" + whole(r, 4, 2000)}; },
      kCoarser | kMoreVertices | kAlways | kNoParts | kNotPaper,
@@ -141,7 +141,7 @@ constexpr DrawnOption kDrawn[] = {
     {"--block-side", [](Random& r, auto&) { return Words{text("--block-side=", 4 + r.below(9))}; },
      kCoarser | kMoreVertices | kNotPaper},
     {"--part", [](Random& r, auto&) { return Words{text("--part=1/", 1 + r.below(9))}; },
-     kNoParts | kNotPaper, another_mesh},
+     kNoParts | kNotPaper | kNotShared, another_mesh},
     {"--threads", [](Random& r, auto&) { return Words{text("--threads=", 2 + r.below(3))}; }, 0,
      another_mesh},
 };
@@ -178,7 +178,8 @@ Draw draw_options(std::uint64_t seed, const OptionVolume& volume, const DrawnOpt
       const auto are = [&](unsigned both) {
         return ((option.exempt | other->exempt) & both) == both;
       };
-      return are(kPaper | kNotPaper) || are(kCertified | kNotCertified);
+      return are(kPaper | kNotPaper) || are(kCertified | kNotCertified) ||
+             are(kShared | kNotShared);
     };
     if (std::ranges::any_of(drawn, excludes)) return;
     const Words words = option.draw(random, volume);

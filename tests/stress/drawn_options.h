@@ -57,6 +57,8 @@ enum Exemption : unsigned {
   kNotPaper = 256,  // --paper excludes it, likewise
   kCertified = 512,
   kNotCertified = 1024,  // --certified excludes it
+  kShared = 2048,
+  kNotShared = 4096,  // --shared excludes it
 };
 
 struct DrawnOption {

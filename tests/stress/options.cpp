@@ -48,7 +48,7 @@
 #include "app/input.h"
 #include "app/mesh_run.h"
 #include "app/progress.h"
-#include "app/run.h"
+#include "app/shared_labels.h"
 #include "base/check.h"
 #include "base/text.h"
 #include "contour/contour.h"
@@ -91,14 +91,32 @@ Verification verify_as_file(const TriMesh& mesh, const MeshRun& run) {
                 verify_options(run.line, volume, noted_criteria(comments)));
 }
 
+// A run of --shared, judged by its file.
+void mesh_shared(const CommandLine& line, Outcome& outcome) {
+  const Source source = read_source(line);
+  SharedRun run(line, source, lines_of_labels(line, source));
+  ProgressBar none(mesh_stages(line), false);
+  const std::clock_t start = std::clock();
+  make_shared_mesh(run, none, [&](const std::string& w) { outcome.warnings.push_back(w); });
+  outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  outcome.mesh = united_mesh(run);
+  write_mesh(outcome.mesh, line.shared, united_options(run));
+  const Frame& frame = source.volume.frame();
+  const Box3 box = source.volume.box();
+  outcome.fault = shared_fault(read_shared(line.shared),
+                               {frame.to_world(box.lo), frame.to_world(box.hi)}, line.options.cap);
+  if (outcome.fault.empty() && !run.sound()) outcome.fault = "not sound";
+  outcome.vertices = run.surface_vertices;
+  outcome.triangles = run.mesh.inner_facets;
+}
+
 Outcome mesh_once(const Words& words) {
   Outcome outcome;
   const std::vector<std::string_view> arguments(words.begin(), words.end());
   try {
     const CommandLine line = parse_command_line(arguments);
     if (!line.shared.empty()) {
-      const int status = run_mesh(line);
-      outcome.fault = shared_fault(read_shared(line.shared), status == kExitSuccess);
+      mesh_shared(line, outcome);
       return outcome;
     }
     const Input input = read_input(line);

@@ -159,16 +159,3 @@ TEST_CASE("filters of the cut-out indicator give what filters of all of it give"
   CHECK(wrong == 0);
   CHECK(inside == doctest::Approx(all).epsilon(1e-12));  // 0 beyond the cut
 }
-
-TEST_CASE("a volume in background keeps its samples and their places") {
-  const Volume volume = random_labels<std::int8_t>({5, 4, 3}, -2, 5, 3);
-  const Volume wider = with_background(volume, {2, 1, 3});
-  CHECK(wider.dims() == Index3{9, 6, 9});
-  CHECK(wider.frame().to_world(wider.position({2, 1, 3})) == Vec3{0, 0, 0});
-  int wrong = 0;
-  for_each_index({9, 6, 9}, [&](int i, int j, int k) {
-    const bool in = i >= 2 && i < 7 && j >= 1 && j < 5 && k >= 3 && k < 6;
-    wrong += wider.sample(i, j, k) != (in ? volume.sample(i - 2, j - 1, k - 3) : 0);
-  });
-  CHECK(wrong == 0);
-}

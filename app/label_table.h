@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The table of --label all: a line for each label.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/topology_counts.h"
+#include "io/filter/segmentation.h"
+
+namespace deliso {
+
+struct LabelRow {
+  LabelSamples label;
+  std::string name;                   // of its segment, or empty
+  double voxel_volume = 0;            // world units
+  std::optional<double> mesh_volume;  // enclosed; none of an open mesh
+  std::size_t vertices = 0, triangles = 0;
+  TopologyCounts mesh, exact;
+  double seconds = 0;
+};
+
+// Returns the warning about a label whose field is the largest at no sample.
+std::string vanished_text(std::string_view label, std::uint64_t samples);
+
+std::string label_heading();
+std::string text_of(const LabelRow& row);
+
+}  // namespace deliso

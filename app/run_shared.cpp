@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// deliso mesh --label all --shared FILE: the files of labels that share their interfaces.
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/mesh_run.h"
+#include "app/output.h"
+#include "app/peak_memory.h"
+#include "app/progress.h"
+#include "app/run.h"
+#include "app/shared_labels.h"
+#include "app/signals.h"
+#include "base/stopwatch.h"
+
+namespace deliso {
+namespace {
+
+// Writes the mesh of each label into its own file, or all into one, if the line has an output.
+void write_label_meshes(const SharedRun& run, std::span<const CommandLine> lines) {
+  if (run.line.output.empty()) return;
+  const MeshWriteOptions united = united_options(run);
+  std::vector<MeshObject> objects;
+  std::vector<std::int64_t> labels;
+  auto one = lines.begin();
+  for (BodyId body = 0; body < run.labels.size(); ++body) {
+    const std::int64_t label = run.labels[body].label.label;
+    if (label == 0) continue;
+    TriMesh mesh = run.mesh.mesh_of(body);
+    mesh.frame = run.input.volume().frame();
+    MeshWriteOptions write = options_of_label(united, label);
+    write.format = one->write.format;
+    write.name = one->write.name;
+    if (in_one_file(run.line)) {
+      objects.push_back({std::move(mesh), write});
+      labels.push_back(label);
+    } else {
+      const DeferSignals defer;
+      write_mesh(mesh, one->output, write);
+    }
+    ++one;
+  }
+  if (!objects.empty()) write_labels(std::move(objects), labels, run.line.output);
+}
+
+}  // namespace
+
+int run_shared(const Stopwatch& total, const Source& source, const CommandLine& line,
+               std::span<const CommandLine> lines) {
+  ProgressBar progress(mesh_stages(line), !line.quiet);
+  SharedRun run(line, source, lines);
+  make_shared_mesh(run, progress, warner(progress, line));
+  progress.show("writing", 0);
+  const Stopwatch watch;
+  write_label_meshes(run, lines);
+  {
+    const DeferSignals defer;
+    write_mesh(united_mesh(run), line.shared, united_options(run));
+  }
+  run.seconds_write = watch.seconds();
+  progress.clear();
+  run.peak_bytes = peak_memory_bytes();
+  run.seconds_total = total.seconds();
+  if (!line.json.empty()) write_text(line.json, report_json(run));
+  if (!line.quiet) print_report(report_text(run), line.output == "-" || line.json == "-");
+  return run.sound() ? kExitSuccess : kFaultFound;
+}
+
+}  // namespace deliso
