@@ -79,12 +79,14 @@ struct MeshWriteOptions {
   bool single_precision = false;       // coordinates as float instead of double (STL, glTF: always)
   bool ascii = false;                  // PLY only
   std::string comment{};               // empty: none
-  // Facets from this one on are caps. TetGen's formats mark them 2, others 1; PLY, VTP and glTF
-  // mark them if there are attributes. Absent: no caps were asked for.
+  // Facets from this one on are caps. TetGen's formats mark them 2, others 1, if there are no
+  // `sides`; PLY, VTP and glTF mark them if there are attributes. Absent: no caps were asked for.
   std::optional<std::size_t> first_cap{};
   std::optional<MeshAttributes> attributes{};  // pre: holds_attributes()
-  // Per facet the labels in front of it and behind, or empty. PLY and VTP hold them. pre: no
-  // attributes.
+  // Per facet the labels in front of it and behind, or empty. A cap has -1 - face (BoxFace) in
+  // front for the face of the box that it is on. PLY and VTP hold them. TetGen's formats have a
+  // marker for each pair, and a point in each bounded region with its label
+  // (io/mesh/region_points.h). pre: no attributes.
   std::vector<std::array<std::int32_t, 2>> sides{};
   std::string name{};  // of the object; empty: the file's without its ending, or "mesh"
   std::optional<ObjectLabel> label{};  // pre: holds_objects()

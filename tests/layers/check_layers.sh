@@ -40,7 +40,7 @@ allowed() {
     io/files) echo "base io/files" ;;
     io/volume) echo "base volume io/files io/volume" ;;
     io/filter) echo "base volume io/files io/filter" ;;
-    io/mesh) echo "base mesh io/files io/mesh" ;;
+    io/mesh) echo "base mesh embedding/box_grid.h io/files io/mesh" ;;
     io/parts) echo "base volume mesh blocks/block.h blocks/grid.h check/check_mesh.h $io" ;;
     view/page) echo "base io/files view/page" ;;
     view/render) echo "base mesh io/files view/render" ;;

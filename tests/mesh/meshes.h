@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,21 @@ inline bool same_mesh(const TriMesh& a, const TriMesh& b) {
   return a.points == b.points &&
          std::ranges::equal(a.faces, b.faces,
                             [](const Face& f, const Face& g) { return f.v == g.v && f.n == g.n; });
+}
+
+// Returns how often the triangles go around p: the sum of their solid angles (Van Oosterom and
+// Strackee 1983) over that of the sphere.
+inline double winding_number(std::span<const Vec3> points, const Triangles& triangles,
+                             const Vec3& p) {
+  double angles = 0;
+  for (const Triangle& t : triangles) {
+    const Vec3 a = points[t[0].number()] - p, b = points[t[1].number()] - p,
+               c = points[t[2].number()] - p;
+    const double la = length(a), lb = length(b), lc = length(c);
+    angles += 2 * std::atan2(dot(a, cross(b, c)),
+                             la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+  }
+  return angles / (4 * std::numbers::pi);
 }
 
 inline Triangles tetrahedron() {
