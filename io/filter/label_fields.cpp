@@ -330,6 +330,22 @@ Volume LabelFields::field(std::int64_t label) {
   return volume_of(std::move(samples), of.own);
 }
 
+Volume LabelFields::weighted(std::int64_t label) {
+  const double weight = weighed(label).weight;
+  const std::size_t n = index_of(label);
+  const SampleExtent of = box(labels_[n], 1);
+  const Volume own = smoothed(n, of);
+  std::vector<float> samples(own.sample_count());
+  own.visit([&](const auto* s) {
+    for (std::size_t at = 0; at < samples.size(); ++at) {
+      samples[at] = static_cast<float>(weight * static_cast<double>(s[at]));
+    }
+  });
+  const Volume like =
+      Volume::without_samples(of.dims(), volume_.spacing(), SampleType::f32, volume_.frame());
+  return volume_of(std::move(samples), like).as_block(of.first, volume_.dims());
+}
+
 double inside_volume(const Volume& field, int threads) {
   std::uint64_t points = 0;
   for (const std::uint64_t part :

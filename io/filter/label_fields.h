@@ -47,6 +47,8 @@ class LabelFields {
   // Returns f_L in float32, in a box around L beyond which it is negative. Memory: three times the
   // result, at most.
   Volume field(std::int64_t label);
+  // Returns w_L s_L in float32, as a block of the volume in the same box: it is 0 beyond.
+  Volume weighted(std::int64_t label);
   Index3 reach() const { return reach_; }  // of the filter, in samples
   SampleExtent extent_of_field(std::int64_t label) const {
     return box(labels_[index_of(label)], 1);

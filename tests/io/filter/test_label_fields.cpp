@@ -76,11 +76,15 @@ TEST_CASE("the field of a label is its weighted indicator less the largest other
       });
       weighted.push_back(Volume::from_samples(kCells, {1, 1, 1}, w));
     }
-    int wrong = 0, opposite = 0, outside = 0;
+    int wrong = 0, opposite = 0, outside = 0, otherwise_weighted = 0;
     for (std::size_t l = 0; l < labels.size(); ++l) {
       CAPTURE(labels[l].label);
       const Volume field = fields.field(labels[l].label);
+      const Volume own = fields.weighted(labels[l].label);  // of the same box
+      CHECK(own.dims() == field.dims());
+      CHECK(own.whole_dims() == kCells);
       const Vec3 at = field.frame().origin;
+      CHECK(to_vec3(own.first()) == at);
       for_each_index(kCells, [&](int i, int j, int k) {
         float others = 1e-30F;
         for (std::size_t m = 0; m < labels.size(); ++m) {
@@ -91,6 +95,8 @@ TEST_CASE("the field of a label is its weighted indicator less the largest other
         const Index3 here{i - int(at.x), j - int(at.y), k - int(at.z)}, n = field.dims();
         const bool is_in = here.i >= 0 && here.i < n.i && here.j >= 0 && here.j < n.j &&
                            here.k >= 0 && here.k < n.k;
+        const double sample = is_in ? own.sample(here.i, here.j, here.k) : 0;
+        otherwise_weighted += sample != weighted[l].sample(i, j, k);
         if (is_in) {
           wrong += field.sample(here.i, here.j, here.k) != static_cast<double>(expected);
           opposite += expected > 0;
@@ -101,6 +107,7 @@ TEST_CASE("the field of a label is its weighted indicator less the largest other
     }
     CHECK(wrong == 0);  // so f_M = -f_L where L and M are the two largest, and f_L + f_M <= 0
     CHECK(outside == 0);
+    CHECK(otherwise_weighted == 0);
     CHECK(opposite > 0.99 * 26 * 24 * 28);  // nearly every sample is inside one label
   }
 }
