@@ -387,11 +387,73 @@ inline std::string borders_fault(const Partition& partition, const LabelOracle& 
               " coincident");
 }
 
+struct Borders {
+  std::vector<Vec3> points;
+  std::vector<InterfaceFacet> facets;
+};
+
+// Returns T_L's facets that a mesh has, with the points that they use.
+inline Borders borders_of(const LabelComplex& complex, const Partition& partition, bool cap) {
+  Borders borders;
+  std::vector<VertexId> number(complex.sheets.points.size(), kNoId);
+  for (InterfaceFacet facet : complex.sheets.facets) {
+    const bool is_cap = partition.is_beyond(facet.bodies[0]);
+    if (is_cap && (!cap || facet.bodies[1] == partition.background())) continue;
+    for (VertexId& v : facet.v) {
+      if (number[v] == kNoId) {
+        number[v] = VertexId(borders.points.size());
+        borders.points.push_back(complex.sheets.points[v]);
+      }
+      v = number[v];
+    }
+    borders.facets.push_back(facet);
+  }
+  return borders;
+}
+
+// Components and Euler number of the facets between two bodies, with their corners and edges.
+struct SheetCounts {
+  std::size_t components = 0;
+  std::int64_t euler = 0;
+  friend bool operator==(const SheetCounts&, const SheetCounts&) = default;
+};
+
+inline std::map<std::array<BodyId, 2>, SheetCounts> sheet_counts(
+    std::size_t points, std::span<const InterfaceFacet> facets) {
+  std::map<std::array<BodyId, 2>, std::vector<Triangle>> sheets;
+  for (const InterfaceFacet& facet : facets) sheets[facet.bodies].push_back(facet.v);
+  std::map<std::array<BodyId, 2>, SheetCounts> counts;
+  for (const auto& [bodies, triangles] : sheets) {
+    DisjointSets pieces(points);
+    std::set<VertexId> vertices;
+    std::set<std::array<VertexId, 2>> edges;
+    for (const Triangle& t : triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [a, b] = std::minmax(t[i], t[(i + 1) % 3]);
+        vertices.insert(t[i]);
+        edges.insert({a, b});
+        pieces.unite(a, b);
+      }
+    }
+    SheetCounts& of = counts[bodies];
+    for (const VertexId v : vertices) of.components += pieces.find(v) == v;
+    of.euler = static_cast<std::int64_t>(vertices.size() + triangles.size()) -
+               static_cast<std::int64_t>(edges.size());
+  }
+  return counts;
+}
+
 // Returns what is wrong with a mesh of the borders; empty if nothing is.
 inline std::string mesh_fault(const Partition& partition, const LabelOracle& oracle,
                               const InterfaceMesh& mesh, bool cap) {
   std::string fault = borders_fault(partition, oracle, mesh.points, mesh.facets, cap);
   if (!fault.empty()) return fault;
+  const Borders borders =
+      borders_of(label_complex(partition, {{0, 0, 0}, partition.shape().voxels()}), partition, cap);
+  if (sheet_counts(borders.points.size(), borders.facets) !=
+      sheet_counts(mesh.points.size(), mesh.facets)) {
+    return "the facets between two bodies have another topology than in T_L";
+  }
   for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
     if (partition.is_beyond(mesh.facets[f].bodies[0]) != (f >= mesh.inner_facets)) {
       return text("facet ", f, " is among the wrong ones: ", mesh.inner_facets,
@@ -429,22 +491,8 @@ inline std::string complex_fault(const Partition& partition, const LabelOracle& 
   const LabelComplex whole = label_complex(partition, {{0, 0, 0}, voxels});
   const std::vector<Vec3>& points = whole.sheets.points;
   for (const bool cap : {false, true}) {
-    std::vector<InterfaceFacet> facets;
-    std::vector<VertexId> number(points.size(), kNoId);
-    std::vector<Vec3> used;
-    for (InterfaceFacet facet : whole.sheets.facets) {
-      const bool is_cap = partition.is_beyond(facet.bodies[0]);
-      if (is_cap && (!cap || facet.bodies[1] == partition.background())) continue;
-      for (VertexId& v : facet.v) {
-        if (number[v] == kNoId) {
-          number[v] = VertexId(used.size());
-          used.push_back(points[v]);
-        }
-        v = number[v];
-      }
-      facets.push_back(facet);
-    }
-    const std::string fault = borders_fault(partition, oracle, used, facets, cap);
+    const Borders borders = borders_of(whole, partition, cap);
+    const std::string fault = borders_fault(partition, oracle, borders.points, borders.facets, cap);
     if (!fault.empty()) return (cap ? "T_L with caps: " : "T_L: ") + fault;
   }
   for (const InterfaceFacet& facet : whole.sheets.facets) {
