@@ -450,10 +450,16 @@ inline std::string mesh_fault(const Partition& partition, const LabelOracle& ora
   if (!fault.empty()) return fault;
   const Borders borders =
       borders_of(label_complex(partition, {{0, 0, 0}, partition.shape().voxels()}), partition, cap);
-  if (sheet_counts(borders.points.size(), borders.facets) !=
-      sheet_counts(mesh.points.size(), mesh.facets)) {
-    return "the facets between two bodies have another topology than in T_L";
+  const auto expected_sheets = sheet_counts(borders.points.size(), borders.facets);
+  auto sheets = sheet_counts(mesh.points.size(), mesh.facets);
+  for (const auto& [bodies, expected] : expected_sheets) {
+    const SheetCounts& found = sheets[bodies];
+    if (found == expected) continue;
+    return text("between the bodies ", bodies[0], " and ", bodies[1], ": ", found.components,
+                " components, Euler number ", found.euler, ", in T_L ", expected.components,
+                " and ", expected.euler);
   }
+  if (sheets.size() != expected_sheets.size()) return "bodies meet that do not in T_L";
   for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
     if (partition.is_beyond(mesh.facets[f].bodies[0]) != (f >= mesh.inner_facets)) {
       return text("facet ", f, " is among the wrong ones: ", mesh.inner_facets,
