@@ -396,7 +396,8 @@ struct Borders {
 inline Borders borders_of(const LabelComplex& complex, const Partition& partition, bool cap) {
   Borders borders;
   std::vector<VertexId> number(complex.sheets.points.size(), kNoId);
-  for (InterfaceFacet facet : complex.sheets.facets) {
+  for (const auto& of_complex : complex.sheets.facets) {
+    InterfaceFacet facet{of_complex.v, of_complex.bodies};
     const bool is_cap = partition.is_beyond(facet.bodies[0]);
     if (is_cap && (!cap || facet.bodies[1] == partition.background())) continue;
     for (VertexId& v : facet.v) {
@@ -501,7 +502,7 @@ inline std::string complex_fault(const Partition& partition, const LabelOracle& 
     const std::string fault = borders_fault(partition, oracle, borders.points, borders.facets, cap);
     if (!fault.empty()) return (cap ? "T_L with caps: " : "T_L: ") + fault;
   }
-  for (const InterfaceFacet& facet : whole.sheets.facets) {
+  for (const auto& facet : whole.sheets.facets) {
     const Vec3 &a = points[facet.v[0]], &b = points[facet.v[1]], &c = points[facet.v[2]];
     const Box3 box = box_of(a, b, c);
     const Index3 voxel = partition.shape().voxel_at(box.middle());
@@ -516,11 +517,11 @@ inline std::string complex_fault(const Partition& partition, const LabelOracle& 
       const Vec3& p = complex.sheets.points[v];
       if (places.try_emplace(complex.simplex[v], p).first->second != p) return false;
     }
-    for (const auto& [v, bodies] : complex.sheets.facets) {
+    for (const auto& facet : complex.sheets.facets) {
       std::array<std::uint64_t, 3> at;
-      for (std::size_t i = 0; i < 3; ++i) at[i] = complex.simplex[v[i]];
+      for (std::size_t i = 0; i < 3; ++i) at[i] = complex.simplex[facet.v[i]];
       std::ranges::rotate(at, std::ranges::min_element(at));
-      if (!found.insert({at, bodies}).second) return false;
+      if (!found.insert({at, facet.bodies}).second) return false;
     }
     return true;
   };

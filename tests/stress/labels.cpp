@@ -90,10 +90,9 @@ InterfaceMesh meshed(const Partition& partition, Options options, int threads) {
 // Writes the mesh, T_L and the facets that cross, and prints the commands that show them.
 void see(std::uint64_t seed, const Partition& partition, const InterfaceMesh& mesh) {
   if (!test::folder_to_see()) return;
-  const auto as_mesh = [](const std::vector<Vec3>& points,
-                          const std::vector<InterfaceFacet>& facets) {
+  const auto as_mesh = [](const std::vector<Vec3>& points, const auto& facets) {
     std::vector<Triangle> triangles;
-    for (const InterfaceFacet& facet : facets) triangles.push_back(facet.v);
+    for (const auto& facet : facets) triangles.push_back(facet.v);
     return make_tri_mesh(points, triangles);
   };
   const LabelComplex complex = label_complex(partition, {{0, 0, 0}, partition.shape().voxels()});
