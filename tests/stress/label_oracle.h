@@ -19,9 +19,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -355,6 +358,70 @@ inline std::string facets_fault(const Partition& partition, const std::vector<Ve
   return {};
 }
 
+// The facet that a ray meets first: its number, and whether the ray comes from its front. Not the
+// one that the ray leaves. Not known where the ray passes near an edge.
+struct Met {
+  std::size_t facet;
+  bool from_front;
+};
+
+inline std::optional<Met> first_met(const std::vector<Vec3>& points,
+                                    std::span<const InterfaceFacet> facets, std::size_t leaves,
+                                    const Vec3& from, const Vec3& along) {
+  constexpr double kNearEdge = 1e-6;
+  std::optional<Met> met;
+  double nearest = std::numeric_limits<double>::infinity(), unknown = nearest;
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    if (f == leaves) continue;
+    const auto& [a, b, c] = facets[f].v;
+    const Vec3 ab = points[b] - points[a], ac = points[c] - points[a], to = points[a] - from;
+    const Vec3 normal = cross(ab, ac);
+    const double facing = dot(normal, along), at = dot(normal, to) / facing;
+    const Vec3 turn = cross(to, along);
+    const double x = dot(turn, ac) / facing, y = -dot(turn, ab) / facing;
+    const double least = std::min({x, y, 1 - x - y});
+    if (!(std::fabs(facing) > 0) || !(at > 0) || least < -kNearEdge) continue;
+    if (least < kNearEdge) unknown = std::min(unknown, at);
+    if (least < kNearEdge || at >= nearest) continue;
+    nearest = at;
+    met = {f, facing < 0};
+  }
+  return nearest < unknown ? met : std::nullopt;
+}
+
+// Returns facets between which space seems to have two bodies: from some facets, one of each
+// component among them, it looks for the next one in front and behind.
+inline std::string sides_fault(const std::vector<Vec3>& points,
+                               std::span<const InterfaceFacet> facets) {
+  constexpr std::size_t kPairs = 2'000'000;
+  DisjointSets joined(points.size());
+  for (const InterfaceFacet& facet : facets) {
+    joined.unite(facet.v[0], facet.v[1]);
+    joined.unite(facet.v[0], facet.v[2]);
+  }
+  std::set<std::uint32_t> seen;
+  const std::size_t step = 1 + facets.size() * facets.size() / kPairs;
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const bool is_first = seen.insert(joined.find(facets[f].v[0])).second;
+    if (!is_first && f % step != 0) continue;
+    const Vec3 &a = points[facets[f].v[0]], &b = points[facets[f].v[1]],
+               &c = points[facets[f].v[2]];
+    const Vec3 normal = cross(b - a, c - a);
+    for (const bool to_front : {true, false}) {
+      const auto met =
+          first_met(points, facets, f, (a + b + c) / 3, to_front ? normal : -1 * normal);
+      if (!met) continue;
+      const BodyId here = facets[f].bodies[to_front ? 0 : 1];
+      const BodyId there = facets[met->facet].bodies[met->from_front ? 0 : 1];
+      if (here != there) {
+        return text("between the facets ", f, " and ", met->facet, " lie the bodies ", here,
+                    " and ", there);
+      }
+    }
+  }
+  return {};
+}
+
 // Returns what is wrong with the borders; empty if nothing is.
 inline std::string borders_fault(const Partition& partition, const LabelOracle& oracle,
                                  const std::vector<Vec3>& points,
@@ -382,7 +449,7 @@ inline std::string borders_fault(const Partition& partition, const LabelOracle& 
   std::vector<Triangle> all;
   for (const InterfaceFacet& facet : facets) all.push_back(facet.v);
   const PlaceFaults faults = find_place_faults(points, all);
-  if (faults.count() == 0) return {};
+  if (faults.count() == 0) return sides_fault(points, facets);
   return text(faults.crossings, " crossings, ", faults.flat, " flat, ", faults.coincident,
               " coincident");
 }
