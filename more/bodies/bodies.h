@@ -20,11 +20,16 @@
 #include "base/topology_counts.h"
 #include "mesh/tri_mesh.h"
 #include "more/bodies/partition.h"
-#include "more/bodies/sheets.h"
 #include "run/options.h"
 #include "run/report.h"
 
 namespace deliso {
+
+struct InterfaceFacet {
+  Triangle v;                    // counter-clockwise seen from the body in front
+  std::array<BodyId, 2> bodies;  // in front and behind (Partition::in_order)
+  friend bool operator==(const InterfaceFacet&, const InterfaceFacet&) = default;
+};
 
 struct InterfaceMesh {
   std::vector<Vec3> points;

@@ -114,10 +114,10 @@ Volume Partition::difference(std::array<BodyId, 2> bodies, const SampleBox& box)
     f.visit([&](const auto* values) {
       for (int k = lo.k; k < hi.k; ++k) {
         for (int j = lo.j; j < hi.j; ++j) {
-          float* to = &samples[static_cast<std::size_t>(n.i) *
-                               (static_cast<std::size_t>(j - of.begin.j) +
-                                static_cast<std::size_t>(n.j) *
-                                    static_cast<std::size_t>(k - of.begin.k))];
+          float* to =
+              &samples[static_cast<std::size_t>(n.i) *
+                       (static_cast<std::size_t>(j - of.begin.j) +
+                        static_cast<std::size_t>(n.j) * static_cast<std::size_t>(k - of.begin.k))];
           const auto* from = values + f.index(0, j - first.j, k - first.k);
           for (int i = lo.i; i < hi.i; ++i) {
             to[i - of.begin.i] += sign * static_cast<float>(from[i - first.i]);

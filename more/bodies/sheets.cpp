@@ -14,14 +14,14 @@ CutSheets::CutSheets(const Sheets& from) {
   const std::size_t facets = from.facets.size();
   std::vector<Triangle> triangles;
   triangles.reserve(facets);
-  for (const InterfaceFacet& f : from.facets) {
+  for (const SheetFacet& f : from.facets) {
     triangles.push_back(f.v);
     if (sheets.empty() || sheets.back() != f.bodies) sheets.push_back(f.bodies);
   }
   sort_unique(sheets);
-  for (const InterfaceFacet& f : from.facets) {
-    sheet.push_back(static_cast<std::uint32_t>(std::ranges::lower_bound(sheets, f.bodies) -
-                                               sheets.begin()));
+  for (const SheetFacet& f : from.facets) {
+    sheet.push_back(
+        static_cast<std::uint32_t>(std::ranges::lower_bound(sheets, f.bodies) - sheets.begin()));
   }
   // Corners of facets side by side in a sheet are one copy.
   for (const Triangle& t : triangles) mesh.faces.push_back({t, {kNoId, kNoId, kNoId}});

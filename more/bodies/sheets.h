@@ -14,15 +14,15 @@
 
 namespace deliso {
 
-struct InterfaceFacet {
-  Triangle v;                      // counter-clockwise seen from the body in front
-  std::array<BodyId, 2> bodies{};  // in front and behind (Partition::in_order)
-  friend bool operator==(const InterfaceFacet&, const InterfaceFacet&) = default;
+struct SheetFacet {
+  Triangle v;                    // counter-clockwise seen from the body in front
+  std::array<BodyId, 2> bodies;  // in front and behind (Partition::in_order)
+  bool is_done = false;          // nothing near it is left to do in this stage
 };
 
 struct Sheets {
   std::vector<Vec3> points;
-  std::vector<InterfaceFacet> facets;
+  std::vector<SheetFacet> facets;
   // The facets from this one on may not change: they are there for what is beside them.
   std::size_t free_facets = 0;
 };
@@ -32,12 +32,12 @@ struct Sheets {
 struct CutSheets {
   explicit CutSheets(const Sheets& sheets);
 
-  TriMesh mesh;                             // facet f is that of the sheets
-  IdArray<VertexId, VertexId> vertex;       // of each copy
-  IdArray<VertexId, VertexId> next;         // copy of the same vertex, in a ring
-  IdArray<VertexId, FaceId> facet;          // one at each copy; kNoId: none
-  IdArray<VertexId, std::uint8_t> is_open;  // the copy is on a curve
-  std::vector<std::uint32_t> sheet;         // of each facet
+  TriMesh mesh;                               // facet f is that of the sheets
+  IdArray<VertexId, VertexId> vertex;         // of each copy
+  IdArray<VertexId, VertexId> next;           // copy of the same vertex, in a ring
+  IdArray<VertexId, FaceId> facet;            // one at each copy; kNoId: none
+  IdArray<VertexId, std::uint8_t> is_open;    // the copy is on a curve
+  std::vector<std::uint32_t> sheet;           // of each facet
   std::vector<std::array<BodyId, 2>> sheets;  // the bodies of each
 };
 

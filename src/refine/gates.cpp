@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The tests G1 to G5 of refine/refinement.h.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "base/check.h"
 #include "base/triangle.h"
+#include "embedding/page_order.h"
 #include "refine/refinement.h"
 
 namespace deliso {
@@ -20,7 +24,7 @@ constexpr double kMaxRemovedDistances = 2;
 }  // namespace
 
 std::optional<Refusal> Refinement::test_shape(Replacement& c) {
-  if (!keeps_manifold(c)) return Refusal::not_a_disk;
+  if (!keeps_manifold(c) || passes_sheet(c)) return Refusal::not_a_disk;
   normals_.clear();
   for (const Triangle& v : c.in().facets) normals_.push_back(normal(v));
   if ((c.proposal.gates.least_cosine > kAnyFold && folds(c)) || reverses(c)) return Refusal::turned;
@@ -67,7 +71,7 @@ bool Refinement::keeps_manifold(Replacement& c) {
       const std::uint32_t g = in.across[f][i];
       if (g == Disk::kNone || g < f) continue;
       const VertexId a = in.facets[f][(i + 1) % 3], b = in.facets[f][(i + 2) % 3];
-      if (joins_on_seam(a, b) || is_joined_outside(a, b, c)) return false;
+      if (joins_on_seam(a, b) || is_joined_outside(a, b, c) || has_frozen_edge(a, b)) return false;
     }
   }
   return true;
@@ -89,6 +93,46 @@ bool Refinement::is_joined_outside(VertexId a, VertexId b, const Replacement& c)
   facets_around(mesh, *start, a, star_);
   return std::ranges::any_of(
       star_, [&](FaceId f) { return !is_in_cavity(f) && has_corner(mesh.faces[f].v, b); });
+}
+
+// Calls visit(facet) for the frozen facets at an edge where the mesh ends: those of other sheets
+// (more/bodies). True if it returns true for one.
+template <class Visit>
+bool Refinement::any_frozen_at(VertexId a, VertexId b, Visit&& visit) const {
+  if (free_box.first_free == 0 || !s.chain.is_boundary(a) || !s.chain.is_boundary(b)) return false;
+  return facets_.any(facets_.box_of(std::array{point(a), point(b)}),
+                     [&](FaceId f, const BoxGrid::Box&) {
+                       const Triangle& v = mesh.faces[f].v;
+                       return is_frozen(f) && has_corner(v, a) && has_corner(v, b) && visit(v);
+                     });
+}
+
+bool Refinement::has_frozen_edge(VertexId a, VertexId b) const {
+  return any_frozen_at(a, b, [](const Triangle&) { return true; });
+}
+
+// G1, where several sheets end: the new facet lies between the same two.
+bool Refinement::passes_sheet(const Replacement& c) const {
+  if (free_box.first_free == 0) return false;
+  for (std::size_t k = 0; k < c.in().boundary.size(); ++k) {
+    if (c.across()[k] != kNoId) continue;
+    const auto [a, b, facet, side] = c.in().boundary[k];
+    const auto old = std::ranges::find_if(
+        c.cavity.disk.boundary, [&](const auto& edge) { return edge.from == a && edge.to == b; });
+    if (old == c.cavity.disk.boundary.end()) continue;
+    const VertexId was = c.cavity.disk.facets[old->facet][old->side];
+    const Vec3 &now = point(c.in().facets[facet][side]), before = point_before(c, was);
+    std::optional<Vec3> other;
+    const bool passes = any_frozen_at(a, b, [&](const Triangle& v) {
+      const VertexId apex(v[0] ^ v[1] ^ v[2] ^ a ^ b);
+      const std::optional<Vec3> first = std::exchange(other, point(apex));
+      return first && *first != *other &&
+             are_in_order(point(a), point(b), *first, *other, now) !=
+                 are_in_order(point(a), point(b), *first, *other, before);
+    });
+    if (passes) return true;
+  }
+  return false;
 }
 
 // Returns the smallest cosine between the normals at an edge of the disk, boundary edges included;

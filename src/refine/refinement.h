@@ -154,6 +154,10 @@ class Refinement {
   std::ptrdiff_t facets_without_point(const Replacement& c) const;
   bool keeps_manifold(Replacement& c);
   bool is_joined_outside(VertexId a, VertexId b, const Replacement& c);
+  template <class Visit>
+  bool any_frozen_at(VertexId a, VertexId b, Visit&& visit) const;
+  bool has_frozen_edge(VertexId a, VertexId b) const;
+  bool passes_sheet(const Replacement& c) const;
   // True if an edge between them would lie in an inner face of the block: only the seam does.
   bool joins_on_seam(VertexId a, VertexId b) const;
   double sharpest_edge(const Disk& disk, std::span<const Vec3> normals,

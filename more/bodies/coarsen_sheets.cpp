@@ -1,0 +1,680 @@
+// SPDX-License-Identifier: MIT
+#include "more/bodies/coarsen_sheets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/disjoint_sets.h"
+#include "base/sorted_list.h"
+#include "base/stopwatch.h"
+#include "embedding/page_order.h"
+#include "more/bodies/borders.h"
+#include "more/bodies/sheet_faults.h"
+#include "surface/hole.h"
+#include "surface/ring.h"
+
+namespace deliso {
+namespace {
+
+// As in coarsen/coarsener.cpp: rounds of moves and flips, passes of removals and when they end, the
+// least move, and the sharpest star in which a vertex moves.
+constexpr int kRounds = 2, kMostPasses = 30;
+constexpr double kLeastShare = 0.01, kLeastMove = 0.1, kSharpCosine = 0.7;
+
+// Furthest that a vertex on a curve, when it goes, lies from the chord between its neighbors, as a
+// share of the chord. T_L has zigzags that the fields have not.
+constexpr double kSharpestKink = 0.35;
+// Steps in which vertices on curves move to where their fields are equal, before removals; the
+// longest step, in the nearer neighbor's distance.
+constexpr int kCurveSteps = 2;
+constexpr double kLongestStep = 0.7;
+
+// Attempts. Each keeps the vertices so many voxels around the faults of those before; after the
+// last all stay.
+constexpr std::array kMargins{0.5, 1.0, 2.0, 4.0, 8.0};
+
+class SheetCoarsener {
+ public:
+  // `sheets`: uncut. Vertices of facets that are done wait until something near them changes.
+  SheetCoarsener(const Sheets& sheets, CutSheets& cut, Borders& borders, const SheetScope& scope,
+                 const IdArray<VertexId, std::uint8_t>& kept, SearchCounters& searches)
+      : cut_(cut),
+        mesh_(cut.mesh),
+        borders_(borders),
+        scope_(scope),
+        kept_(kept),
+        free_facets_(sheets.free_facets),
+        searches_(searches),
+        first_(kept.size(), kNoId),
+        is_active_(kept.size(), 0),
+        waits_(kept.size(), 0),
+        refused_(kept.size(), {kNoId, kNoId, kNoId}) {
+    for (VertexId c = 0; c < cut_.vertex.size(); ++c) {
+      if (first_[vertex(c)] == kNoId) first_[vertex(c)] = c;
+    }
+    for (const SheetFacet& f : sheets.facets) {
+      for (const VertexId v : f.v) is_active_[v] |= f.is_done ? 0 : 1;
+    }
+    for (VertexId v = 0; v < kept_.size(); ++v) {
+      if (is_active_[v] != 0) wake(v, v);
+    }
+  }
+
+  void run() {
+    for (int n = 0; n < kCurveSteps; ++n) straighten_curves();
+    remove_vertices();
+    for (int round = 0; round < kRounds; ++round) {
+      straighten_curves();
+      move_vertices();
+      flip_edges();
+      remove_vertices();
+    }
+  }
+
+ private:
+  // What a vertex has in one sheet: its neighbors there, and the filling of their hole.
+  struct Page {
+    VertexId copy;
+    Ring ring;
+    Hole hole;
+  };
+  static constexpr std::size_t kMostPages = 6;
+
+  VertexId vertex(VertexId copy) const { return cut_.vertex[copy]; }
+
+  // Calls visit(copy) for all copies of a vertex until it returns false. Returns whether none did.
+  template <class Visit>
+  bool for_each_copy(VertexId v, Visit&& visit) const {
+    VertexId c = first_[v];
+    do {
+      if (!visit(c)) return false;
+      c = cut_.next[c];
+    } while (c != first_[v]);
+    return true;
+  }
+
+  void remove_vertices() {
+    IdArray<VertexId, std::int8_t> changed_in(kept_.size(), -1);
+    std::size_t left = 0;
+    for (std::int8_t pass = 0; pass < kMostPasses; ++pass) {
+      const std::vector<VertexId> todo = std::exchange(waiting_, {});
+      left = std::max(left, todo.size());
+      std::size_t removed = 0;
+      for (const VertexId v : todo) {
+        if (changed_in[v] == pass) {
+          waiting_.push_back(v);
+          continue;
+        }
+        waits_[v] = 0;
+        if (!remove(v)) continue;
+        ++removed;
+        for (std::size_t n = 0; n < pages_; ++n) {
+          for (int k = 0; k < page_[n].ring.size; ++k) {
+            const VertexId w = vertex(page_[n].ring.vertex[k]);
+            changed_in[w] = pass;
+            is_active_[w] = 1;
+            wake(w, v);
+          }
+        }
+      }
+      left -= removed;
+      if (removed == 0 || static_cast<double>(removed) < kLeastShare * static_cast<double>(left)) {
+        return;
+      }
+    }
+  }
+
+  // Lets v wait for a try, as `changed`, v or a neighbor, is new, gone or elsewhere; not if the
+  // facet that v was refused for has its corners still.
+  void wake(VertexId v, VertexId changed) {
+    Triangle& refused = refused_[v];
+    if (refused[0] != kNoId && !has_corner(refused, changed)) return;
+    refused[0] = kNoId;
+    if (kept_[v] != 0 || first_[v] == kNoId || std::exchange(waits_[v], 1) != 0) return;
+    waiting_.push_back(v);
+  }
+
+  // Walks around the copies of v. False if one has too many neighbors, or its facets are none.
+  bool walk(VertexId v) {
+    pages_ = 0;
+    return for_each_copy(v, [&](VertexId c) {
+      if (pages_ == kMostPages) return false;
+      Page& page = page_[pages_++];
+      page.copy = c;
+      return page.ring.walk(mesh_, cut_.facet[c], c, cut_.is_open[c] != 0);
+    });
+  }
+
+  // The ends of the curve's edges at v, where all pages have the same two: v is on one curve, and
+  // no corner.
+  bool find_ends() {
+    for (std::size_t n = 0; n < pages_; ++n) {
+      const Ring& ring = page_[n].ring;
+      if (ring.is_closed) return false;
+      std::array ends{vertex(ring.vertex[0]), vertex(ring.vertex[ring.size - 1])};
+      if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
+      if (n == 0) ends_ = ends;
+      if (ends != ends_ || ends[0] == ends[1]) return false;
+    }
+    return true;
+  }
+
+  bool remove(VertexId v) {
+    if (!walk(v)) return false;
+    const bool is_on_curve = !page_[0].ring.is_closed;
+    if (is_on_curve && (!find_ends() || !chord_holds(v))) return false;
+    if (!is_on_curve && pages_ > 1) return false;
+    added_.clear();
+    if (is_on_curve && !add_edge(ends_[0], ends_[1])) return false;
+    for (std::size_t n = 0; n < pages_; ++n) {
+      Page& page = page_[n];
+      if (page.ring.size < 3) return false;
+      page.ring.project();
+      if (!page.hole.fill(page.ring, test(page))) {
+        for (std::size_t s = 0; s < 3 && !is_on_curve; ++s) {
+          refused_[v][s] = vertex(page.ring.vertex[page.hole.tried()[s]]);
+        }
+        return false;
+      }
+    }
+    for (std::size_t n = 0; n < pages_; ++n) {
+      const Page& page = page_[n];
+      for (int f = 1; f < page.hole.size(); ++f) {  // each facet after the first brings one edge
+        const auto& corner = page.hole.facet(f).corner;
+        if (!add_edge(vertex(page.ring.vertex[corner[0]]), vertex(page.ring.vertex[corner[2]]))) {
+          return false;
+        }
+      }
+    }
+    if (!is_on_curve && page_[0].hole.size() == 1 && has_facet(v, page_[0].ring)) return false;
+    for (std::size_t n = 0; n < pages_; ++n) {
+      if (passes_sheet(page_[n], v)) return false;
+    }
+    if (is_on_curve && !keeps_order(v)) return false;
+    for (std::size_t n = 0; n < pages_; ++n) replace(page_[n]);
+    first_[v] = kNoId;
+    return true;
+  }
+
+  const FacetTest& test(const Page& page) {
+    const Border& border = borders_[cut_.sheet[cut_.facet[page.copy]]];
+    return page.ring.is_closed ? border.test : border.test_at_curve;
+  }
+
+  // False if an edge joins a and b already, or would lie in a given face.
+  bool add_edge(VertexId a, VertexId b) {
+    if (a > b) std::swap(a, b);
+    if (joined(a, b) || std::ranges::find(added_, std::pair{a, b}) != added_.end()) return false;
+    if (scope_.inner_faces != 0 && (box_faces_at(point(a), scope_.box) &
+                                    box_faces_at(point(b), scope_.box) & scope_.inner_faces) != 0) {
+      return false;
+    }
+    added_.push_back({a, b});
+    return true;
+  }
+  const Vec3& point(VertexId v) const { return mesh_.points[first_[v]]; }
+
+  // Calls visit(facet) for the facets at v until it returns false. Returns whether none did.
+  template <class Visit>
+  bool for_each_facet(VertexId v, Visit&& visit) const {
+    return for_each_copy(v, [&](VertexId c) {
+      const FaceId start = cut_.facet[c];
+      FaceId f = start;
+      do {
+        const Face& face = mesh_.faces[f];
+        if (!visit(face)) return false;
+        f = face.n[kNextCorner[corner_index(face, c)]];
+      } while (f != start && f != kNoId);
+      if (f == start) return true;
+      f = start;
+      while (true) {  // the other way, from the curve
+        const FaceId g = mesh_.faces[f].n[kPreviousCorner[corner_index(mesh_.faces[f], c)]];
+        if (g == kNoId) return true;
+        if (!visit(mesh_.faces[g])) return false;
+        f = g;
+      }
+    });
+  }
+  bool has_vertex(const Face& face, VertexId v) const {
+    return vertex(face.v[0]) == v || vertex(face.v[1]) == v || vertex(face.v[2]) == v;
+  }
+  bool joined(VertexId a, VertexId b) const {
+    return !for_each_facet(a, [&](const Face& face) { return !has_vertex(face, b); });
+  }
+  // True if the facet of the ring of v, which has three vertices, is there already.
+  bool has_facet(VertexId v, const Ring& ring) const {
+    const VertexId a = vertex(ring.vertex[0]), b = vertex(ring.vertex[1]),
+                   c = vertex(ring.vertex[2]);
+    return !for_each_facet(a, [&](const Face& face) {
+      return has_vertex(face, v) || !has_vertex(face, b) || !has_vertex(face, c);
+    });
+  }
+
+  // True if a new facet of the page at an edge of another curve passes one that ends there, too.
+  bool passes_sheet(const Page& page, VertexId v) const {
+    const Ring& ring = page.ring;
+    for (int f = 0; f < page.hole.size(); ++f) {
+      const Hole::Facet& facet = page.hole.facet(f);
+      for (std::size_t s = 0; s < 3; ++s) {
+        if (facet.across[s] >= 0 || ring.outer[~facet.across[s]] != kNoId) continue;
+        const int k = ~facet.across[s];
+        if (k == ring.facets) continue;  // the curve's new edge
+        if (moves_past(ring.vertex[k], ring.vertex[ring.after(k)], v, ring.center,
+                       ring.point[facet.corner[s]])) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+  // True if the page at the edge between these copies, whose third corner was v, at `from`, passes
+  // another one when that corner is at `to`.
+  bool moves_past(VertexId a, VertexId b, VertexId v, const Vec3& from, const Vec3& to) const {
+    const Vec3 &p = mesh_.points[a], &q = mesh_.points[b];
+    std::optional<Vec3> first, second;
+    for_each_facet(vertex(a), [&](const Face& face) {
+      if (!has_vertex(face, vertex(b)) || has_vertex(face, v)) return true;
+      for (const VertexId c : face.v) {
+        if (vertex(c) != vertex(a) && vertex(c) != vertex(b)) {
+          (first ? second : first) = mesh_.points[c];
+        }
+      }
+      return true;
+    });
+    return second &&
+           are_in_order(p, q, *first, *second, from) != are_in_order(p, q, *first, *second, to);
+  }
+  // True if a facet at v passes one of another sheet when v moves: at an edge of a curve across
+  // from v, or at those of its own curve.
+  bool moves_past(VertexId v, const Vec3& to) const {
+    for (std::size_t n = 0; n < pages_; ++n) {
+      const Ring& ring = page_[n].ring;
+      for (int k = 0; k < ring.facets; ++k) {
+        if (ring.outer[k] == kNoId &&
+            moves_past(ring.vertex[k], ring.vertex[ring.after(k)], v, ring.center, to)) {
+          return true;
+        }
+      }
+    }
+    if (pages_ != 3) return false;
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Vec3 &a = point(ends_[end]), &p = point(v);
+      const std::array<Vec3, 3> apex = apexes(end);
+      if (are_in_order(a, p, apex[0], apex[1], apex[2]) !=
+          are_in_order(a, to, apex[0], apex[1], apex[2])) {
+        return true;
+      }
+    }
+    return false;
+  }
+  // The third corners of the three pages' facets at the edge to an end.
+  std::array<Vec3, 3> apexes(std::size_t end) const {
+    std::array<Vec3, 3> found;
+    for (std::size_t n = 0; n < 3; ++n) {
+      const Ring& ring = page_[n].ring;
+      found[n] = ring.point[vertex(ring.vertex[0]) == ends_[end] ? 1 : ring.size - 2];
+    }
+    return found;
+  }
+  // True if the pages follow each other at the curve's new edge as at its old ones.
+  bool keeps_order(VertexId v) const {
+    if (pages_ != 3) return true;
+    const Vec3 &a = point(ends_[0]), &b = point(ends_[1]), &p = point(v);
+    const std::array<Vec3, 3> before = apexes(0);
+    std::array<Vec3, 3> after;
+    for (std::size_t n = 0; n < 3; ++n) {
+      after[n] = page_[n].ring.point[page_[n].hole.facet(0).corner[1]];
+    }
+    return are_in_order(a, p, before[0], before[1], before[2]) ==
+           are_in_order(a, b, after[0], after[1], after[2]);
+  }
+
+  // The bodies at the curve through the pages, without those beyond the box, and the faces of the
+  // box that it lies in.
+  struct Curve {
+    std::vector<BodyId> bodies;
+    unsigned faces = 0;
+  };
+  Curve curve() const {
+    Curve at;
+    for (std::size_t n = 0; n < pages_; ++n) {
+      for (const BodyId body : cut_.sheets[cut_.sheet[cut_.facet[page_[n].copy]]]) {
+        if (scope_.partition.is_beyond(body)) {
+          at.faces |= 1u << (body - scope_.partition.size());
+        } else {
+          at.bodies.push_back(body);
+        }
+      }
+    }
+    sort_unique(at.bodies);
+    return at;
+  }
+  // The distance of p from the curve, to first order; infinite if it is not known.
+  double distance_to(const Curve& curve, const Vec3& p) const {
+    if (curve.bodies.size() < 2) return 0;
+    const auto step = scope_.partition.step_to_tie(p, curve.bodies, curve.faces);
+    return step ? length(*step) : kNotAsked;
+  }
+  double distance_to(const Curve& curve, const Vec3& a, const Vec3& b) const {
+    return std::max({distance_to(curve, 0.75 * a + 0.25 * b), distance_to(curve, 0.5 * (a + b)),
+                     distance_to(curve, 0.25 * a + 0.75 * b)});
+  }
+
+  // True if v is near the chord between its neighbors on the curve, and the chord near the curve,
+  // or no further than the two edges were.
+  bool chord_holds(VertexId v) const {
+    const Vec3 &a = point(ends_[0]), &b = point(ends_[1]), &p = point(v);
+    const Vec3 chord = b - a;
+    const Curve at = curve();
+    const double after = distance_to(at, a, b);
+    const double limit = kSharpestKink * length(chord);
+    const double off2 = length2(cross(p - a, chord)) / length2(chord);
+    if (!(off2 <= limit * limit) || dot(p - a, chord) <= 0 || dot(p - b, chord) >= 0) return false;
+    return after <= scope_.distance ||
+           after <= std::max(distance_to(at, a, p), distance_to(at, p, b));
+  }
+
+  void replace(const Page& page) {
+    const Ring& ring = page.ring;
+    const Hole& hole = page.hole;
+    IdArray<FaceId, Face>& faces = mesh_.faces;
+    std::array<FaceId, Ring::kMost> inside;  // the new facets at the ring's edges
+    for (int n = 0; n < hole.size(); ++n) {
+      const Hole::Facet& facet = hole.facet(n);
+      Face& face = faces[ring.star[n]];
+      for (std::size_t s = 0; s < 3; ++s) {
+        face.v[s] = ring.vertex[facet.corner[s]];
+        cut_.facet[face.v[s]] = ring.star[n];
+        const int across = facet.across[s];
+        face.n[s] = across >= 0 ? ring.star[across] : ring.outer[~across];
+        if (across < 0) inside[~across] = ring.star[n];
+      }
+    }
+    for (int k = 0; k < ring.facets; ++k) {
+      if (ring.outer[k] == kNoId) continue;
+      Face& outside = faces[ring.outer[k]];
+      outside.n[kNextCorner[corner_index(outside, ring.vertex[k])]] = inside[k];
+    }
+    for (int k = hole.size(); k < ring.facets; ++k) {
+      faces[ring.star[k]] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
+    }
+    cut_.facet[page.copy] = kNoId;
+  }
+
+  // Moves the vertices on curves to where their fields are equal.
+  void straighten_curves() {
+    for (VertexId v = 0; v < kept_.size(); ++v) {
+      if (!may_move(v) || cut_.is_open[first_[v]] == 0 || !walk(v)) continue;
+      if (const std::optional<Vec3> to = place_on_curve(point(v))) move(v, *to);
+    }
+  }
+
+  void move_vertices() {
+    for (VertexId v = 0; v < kept_.size(); ++v) {
+      if (may_move(v)) move(v);
+    }
+  }
+  bool may_move(VertexId v) const {
+    return kept_[v] == 0 && is_active_[v] != 0 && first_[v] != kNoId;
+  }
+
+  bool move(VertexId v) {
+    if (!walk(v)) return false;
+    const std::optional<Vec3> to = page_[0].ring.is_closed ? place_in_sheet() : place_on_curve({});
+    return to && move(v, *to);
+  }
+  bool move(VertexId v, const Vec3& to) {
+    if (!scope_.holds(to)) return false;
+    for (std::size_t n = 0; n < pages_; ++n) {
+      Ring& ring = page_[n].ring;
+      double worst2 = 0;
+      for (int k = 0; k < ring.facets; ++k) {
+        worst2 =
+            std::max(worst2, radius_ratio2(ring.center, ring.point[k], ring.point[ring.after(k)]));
+      }
+      for (int k = 0; k < ring.facets; ++k) {
+        if (!test(page_[n]).holds(to, ring.point[k], ring.point[ring.after(k)], ring.normal,
+                                  worst2)) {
+          return false;
+        }
+      }
+    }
+    if (moves_past(v, to)) return false;
+    for (std::size_t n = 0; n < pages_; ++n) mesh_.points[page_[n].copy] = to;
+    refused_[v][0] = kNoId;
+    wake(v, v);
+    for (std::size_t n = 0; n < pages_; ++n) {
+      for (int k = 0; k < page_[n].ring.size; ++k) wake(vertex(page_[n].ring.vertex[k]), v);
+    }
+    return true;
+  }
+
+  // The middle of the star, on the border; nothing if it is too near, or the star not flat.
+  std::optional<Vec3> place_in_sheet() {
+    const Ring& ring = page_[0].ring;
+    Vec3 sum;
+    double area = 0, nearest2 = kNotAsked;
+    const double sharp2 = kSharpCosine * kSharpCosine * ring.normal2;
+    for (int k = 0; k < ring.size; ++k) {
+      const Vec3 a = ring.point[k] - ring.center, b = ring.point[ring.after(k)] - ring.center;
+      const Vec3 normal = cross(a, b);
+      const double weight2 = length2(normal), cosine = dot(normal, ring.normal);
+      if (!(cosine > 0 && cosine * cosine >= sharp2 * weight2)) return std::nullopt;
+      const double weight = std::sqrt(weight2);
+      sum = sum + weight * (a + b);
+      area += weight;
+      nearest2 = std::min(nearest2, length2(a));
+    }
+    const Vec3 step = sum / (3 * area);
+    if (length2(step) < kLeastMove * kLeastMove * nearest2) return std::nullopt;
+    const std::uint32_t sheet = cut_.sheet[cut_.facet[page_[0].copy]];
+    const BodyId in_front = cut_.sheets[sheet][0];
+    if (scope_.partition.is_beyond(in_front)) {
+      Vec3 to = ring.center + step;
+      const int axis = static_cast<int>(in_front - scope_.partition.size()) / 2;
+      to[axis] = ring.center[axis];
+      return to;
+    }
+    return borders_[sheet].finder.foot(ring.center + step, ring.normal,
+                                       0.5 * std::sqrt(nearest2) + 2 * scope_.distance, searches_);
+  }
+
+  // Where all fields at the curve are equal, near its vertex, or half the way to the middle between
+  // the neighbors.
+  std::optional<Vec3> place_on_curve(std::optional<Vec3> start) {
+    if (!find_ends()) return std::nullopt;
+    const Curve at = curve();
+    if (at.bodies.size() < 2) return std::nullopt;
+    const Vec3 &a = point(ends_[0]), &b = point(ends_[1]), from = page_[0].ring.center;
+    const double reach = kLongestStep * std::sqrt(std::min(distance2(a, from), distance2(b, from)));
+    Vec3 to = start ? *start : 0.5 * (from + 0.5 * (a + b));
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((at.faces >> (2 * axis) & 3) != 0) to[axis] = from[axis];
+    }
+    for (int n = 0; n < 4; ++n) {
+      const auto step = scope_.partition.step_to_tie(to, at.bodies, at.faces);
+      if (!step || length(*step) > scope_.parameters.voxel) return std::nullopt;
+      to = to + *step;
+      if (length2(*step) < 1e-6 * reach * reach) break;
+    }
+    const double size = distance(to, from);
+    if (size > reach) to = from + reach / size * (to - from);
+    const double before = std::max(distance_to(at, a, from), distance_to(at, from, b));
+    const double after = std::max(distance_to(at, a, to), distance_to(at, to, b));
+    return after <= std::max(before, scope_.distance) ? std::optional(to) : std::nullopt;
+  }
+
+  // Of two angles that sum to more than pi one is obtuse, and no facet has two obtuse angles.
+  void flip_edges() {
+    constexpr int kSweeps = 2;
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+        const Face& face = mesh_.faces[f];
+        if (is_dead(face)) continue;
+        const auto& [a, b, c] = face.v;
+        const int i = obtuse_corner(mesh_.points[a], mesh_.points[b], mesh_.points[c]);
+        if (i < 3 && face.n[i] != kNoId && is_free(f) && is_free(face.n[i])) flip(f, i);
+      }
+    }
+  }
+  bool is_free(FaceId f) const { return f < free_facets_; }
+
+  void flip(FaceId f, int i) {
+    IdArray<FaceId, Face>& faces = mesh_.faces;
+    const auto [first, g, a, b, c, d] = quad_at(mesh_, f, i);
+    const Vec3 &pa = mesh_.points[a], &pb = mesh_.points[b], &pc = mesh_.points[c],
+               &pd = mesh_.points[d];
+    const double at_a = dot(pb - pa, pc - pa), at_d = dot(pb - pd, pc - pd);
+    const Vec3 n = area_normal(pa, pb, pc), m = area_normal(pd, pc, pb);
+    if (at_a * length(m) + at_d * length(n) >= 0) return;
+    const double worst2 = std::max(radius_ratio2(pa, pb, pc), radius_ratio2(pd, pc, pb));
+    const FacetTest& test = borders_[cut_.sheet[f]].test;
+    added_.clear();
+    if (kept_[vertex(a)] + kept_[vertex(d)] == 2 || !test.holds(pa, pb, pd, n + m, worst2) ||
+        !test.holds(pd, pc, pa, n + m, worst2) || !add_edge(vertex(a), vertex(d))) {
+      return;
+    }
+    const FaceId ab = faces[f].n[(i + 2) % 3], ca = faces[f].n[(i + 1) % 3];
+    const FaceId bd = faces[g].n[corner_index(faces[g], c)],
+                 dc = faces[g].n[corner_index(faces[g], b)];
+    if ((ab == kNoId && moves_past(a, b, vertex(c), pc, pd)) ||
+        (ca == kNoId && moves_past(c, a, vertex(b), pb, pd)) ||
+        (bd == kNoId && moves_past(d, b, vertex(c), pc, pa)) ||
+        (dc == kNoId && moves_past(c, d, vertex(b), pb, pa))) {
+      return;
+    }
+    const auto link = [&](FaceId out, VertexId from, FaceId to) {
+      if (out != kNoId) faces[out].n[kNextCorner[corner_index(faces[out], from)]] = to;
+    };
+    faces[f] = {{a, b, d}, {bd, g, ab}};
+    faces[g] = {{d, c, a}, {ca, f, dc}};
+    link(bd, b, f);
+    link(ca, c, g);
+    cut_.facet[a] = cut_.facet[b] = cut_.facet[d] = f;
+    cut_.facet[c] = g;
+    wake(vertex(b), vertex(c));
+    wake(vertex(c), vertex(b));
+  }
+
+  CutSheets& cut_;
+  TriMesh& mesh_;
+  Borders& borders_;
+  const SheetScope& scope_;
+  const IdArray<VertexId, std::uint8_t>& kept_;
+  const std::size_t free_facets_;
+  SearchCounters& searches_;
+  IdArray<VertexId, VertexId> first_;  // copy of each vertex; kNoId: none
+  // The vertex has a facet that is not done, or is near a change.
+  IdArray<VertexId, std::uint8_t> is_active_;
+  IdArray<VertexId, std::uint8_t> waits_;  // the vertex is in waiting_
+  std::vector<VertexId> waiting_;          // for a try, in the order of changes
+  IdArray<VertexId, Triangle> refused_;    // the facet that was refused last; kNoId: none
+  std::array<Page, kMostPages> page_;
+  std::size_t pages_ = 0;
+  std::array<VertexId, 2> ends_;
+  std::vector<std::pair<VertexId, VertexId>> added_;  // edges, by the present change
+};
+
+// Marks the vertices that are given: of frozen facets, and in inner faces.
+IdArray<VertexId, std::uint8_t> given_in(const Sheets& sheets, const SheetScope& scope) {
+  IdArray<VertexId, std::uint8_t> given(sheets.points.size(), 0);
+  for (std::size_t f = sheets.free_facets; f < sheets.facets.size(); ++f) {
+    for (const VertexId v : sheets.facets[f].v) given[v] = 1;
+  }
+  for (VertexId v = 0; v < given.size(); ++v) {
+    if ((box_faces_at(sheets.points[v], scope.box) & scope.inner_faces) != 0) given[v] = 1;
+  }
+  return given;
+}
+
+// Marks the vertices of small components, too: these might be reversed, or passed by another.
+void keep_small(const Sheets& sheets, IdArray<VertexId, std::uint8_t>& kept) {
+  constexpr std::uint32_t kSmallComponent = 24;  // vertices
+  DisjointSets joined(sheets.points.size());
+  for (const SheetFacet& f : sheets.facets) {
+    joined.unite(f.v[0], f.v[1]);
+    joined.unite(f.v[0], f.v[2]);
+  }
+  std::vector<std::uint32_t> size(sheets.points.size());
+  for (VertexId v = 0; v < kept.size(); ++v) {
+    // A component with a vertex that is given is part of a larger one.
+    size[joined.find(v)] += kept[v] != 0 ? kSmallComponent : 1;
+  }
+  for (VertexId v = 0; v < kept.size(); ++v) {
+    if (size[joined.find(v)] < kSmallComponent) kept[v] = 1;
+  }
+}
+
+// Marks the vertices in the voxels of facets of `changed` at fault.
+void keep_near(std::span<const FaceId> faults, const Sheets& changed, const Sheets& before,
+               double voxels_around, const Volume& shape, IdArray<VertexId, std::uint8_t>& kept) {
+  const Vec3 margin = voxels_around * shape.spacing();
+  std::vector<std::uint64_t> voxels;
+  for (const FaceId f : faults) {
+    const auto& [a, b, c] = changed.facets[f.number()].v;
+    const Box3 box = box_of(changed.points[a], changed.points[b], changed.points[c]);
+    const Index3 lo = shape.voxel_at(box.lo - margin), hi = shape.voxel_at(box.hi + margin);
+    Index3 at;
+    for (at.k = lo.k; at.k <= hi.k; ++at.k) {
+      for (at.j = lo.j; at.j <= hi.j; ++at.j) {
+        for (at.i = lo.i; at.i <= hi.i; ++at.i) voxels.push_back(voxel_number(shape.dims(), at));
+      }
+    }
+  }
+  sort_unique(voxels);
+  for (VertexId v = 0; v < kept.size(); ++v) {
+    const std::uint64_t voxel = voxel_number(shape.dims(), shape.voxel_at(before.points[v]));
+    if (std::ranges::binary_search(voxels, voxel)) kept[v] = 1;
+  }
+}
+
+// The facets that are left, with the vertices of `before` in their new places. Those at a given
+// vertex are not done.
+Sheets uncut(const CutSheets& cut, const Sheets& before,
+             const IdArray<VertexId, std::uint8_t>& given) {
+  Sheets sheets{before.points, {}, 0};
+  for (FaceId f = 0; f < cut.mesh.faces.size(); ++f) {
+    if (f == before.free_facets) sheets.free_facets = sheets.facets.size();
+    const Face& face = cut.mesh.faces[f];
+    if (is_dead(face)) continue;
+    SheetFacet facet{{}, cut.sheets[cut.sheet[f]], true};
+    for (std::size_t i = 0; i < 3; ++i) {
+      facet.v[i] = cut.vertex[face.v[i]];
+      facet.is_done &= given[facet.v[i]] == 0;
+      sheets.points[facet.v[i]] = cut.mesh.points[face.v[i]];
+    }
+    sheets.facets.push_back(facet);
+  }
+  if (before.free_facets == before.facets.size()) sheets.free_facets = sheets.facets.size();
+  return sheets;
+}
+
+}  // namespace
+
+void coarsen_sheets(Sheets& sheets, const SheetScope& scope, Report& report) {
+  const StepTimer timer(report.seconds_coarsen);
+  const CutSheets before(sheets);
+  Borders borders(scope.partition, scope.parameters, scope.distance, sheets, before);
+  const IdArray<VertexId, std::uint8_t> given = given_in(sheets, scope);
+  IdArray<VertexId, std::uint8_t> kept = given;
+  keep_small(sheets, kept);
+  for (const double margin : kMargins) {
+    CutSheets cut = before;
+    SheetCoarsener(sheets, cut, borders, scope, kept, report.searches_coarsen).run();
+    Sheets after = uncut(cut, sheets, given);
+    const std::vector<FaceId> faults = sheet_faults(after, CutSheets(after), scope.box);
+    if (faults.empty()) {
+      sheets = std::move(after);
+      return;
+    }
+    ++report[Counter::coarsened_again];
+    keep_near(faults, after, sheets, margin, scope.partition.shape(), kept);
+  }
+}
+
+}  // namespace deliso

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "more/bodies/regions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "base/sorted_list.h"
+
+namespace deliso {
+namespace {
+
+// The sheets in a region.
+struct Region {
+  std::vector<std::uint32_t> free, fixed;  // facets of all sheets
+  std::vector<VertexId> vertices;          // of all sheets, per vertex here
+  Sheets sheets;
+};
+
+Sheets part_of(const Sheets& all, Region& region) {
+  Sheets part;
+  for (const auto* facets : {&region.free, &region.fixed}) {
+    for (const std::uint32_t f : *facets) {
+      const SheetFacet& facet = part.facets.emplace_back(all.facets[f]);
+      region.vertices.insert(region.vertices.end(), facet.v.begin(), facet.v.end());
+    }
+  }
+  part.free_facets = region.free.size();
+  sort_unique(region.vertices);
+  for (const VertexId v : region.vertices) part.points.push_back(all.points[v]);
+  for (SheetFacet& facet : part.facets) {
+    for (VertexId& v : facet.v) {
+      v = VertexId(std::ranges::lower_bound(region.vertices, v) - region.vertices.begin());
+    }
+  }
+  return part;
+}
+
+// Puts the points and the free facets of a region in the place of what they were made of.
+void put_back(Region& region, Sheets& all) {
+  const std::size_t known = region.vertices.size();
+  for (std::size_t v = 0; v < region.sheets.points.size(); ++v) {
+    if (v < known) {
+      all.points[region.vertices[v]] = region.sheets.points[v];
+    } else {
+      region.vertices.push_back(VertexId(all.points.size()));
+      all.points.push_back(region.sheets.points[v]);
+    }
+  }
+  for (std::size_t f = 0; f < region.sheets.free_facets; ++f) {
+    SheetFacet facet = region.sheets.facets[f];
+    for (VertexId& v : facet.v) v = region.vertices[v];
+    all.facets.push_back(facet);
+  }
+}
+
+}  // namespace
+
+Regions::Regions(const Volume& shape, int side, int shift) : shape_(shape) {
+  const Index3 voxels = shape.voxels();
+  for (int axis = 0; axis < 3; ++axis) {
+    const int n = side > 0 ? std::max(1, (voxels[axis] + side / 2) / side) : 1;
+    std::vector<double>& planes = planes_[static_cast<std::size_t>(axis)];
+    planes.push_back(0);
+    for (int k = 0; k < n; ++k) {
+      const int from = static_cast<int>(std::int64_t{voxels[axis]} * k / n),
+                to = static_cast<int>(std::int64_t{voxels[axis]} * (k + 1) / n);
+      const double at = from + 0.25 * shift * (to - from);
+      if (n > 1 && at > 0) planes.push_back(at * shape.spacing()[axis]);
+    }
+    planes.push_back(shape.box().hi[axis]);
+  }
+}
+
+std::size_t Regions::size() const {
+  return (planes_[0].size() - 1) * (planes_[1].size() - 1) * (planes_[2].size() - 1);
+}
+
+Index3 Regions::place(std::size_t region) const {
+  const std::size_t nx = planes_[0].size() - 1, ny = planes_[1].size() - 1;
+  return {static_cast<int>(region % nx), static_cast<int>(region / nx % ny),
+          static_cast<int>(region / nx / ny)};
+}
+
+std::size_t Regions::number(Index3 at) const {
+  const std::size_t nx = planes_[0].size() - 1, ny = planes_[1].size() - 1;
+  return static_cast<std::size_t>(at.i) +
+         nx * (static_cast<std::size_t>(at.j) + ny * static_cast<std::size_t>(at.k));
+}
+
+SampleBox Regions::samples(std::size_t region) const {
+  const Index3 at = place(region);
+  SampleBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& planes = planes_[static_cast<std::size_t>(axis)];
+    const auto n = static_cast<std::size_t>(at[axis]);
+    box.begin[axis] = static_cast<int>(std::lround(planes[n] / shape_.spacing()[axis]));
+    box.end[axis] = static_cast<int>(std::lround(planes[n + 1] / shape_.spacing()[axis]));
+  }
+  return box;
+}
+
+Box3 Regions::box(std::size_t region) const {
+  const Index3 at = place(region);
+  Box3 box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& planes = planes_[static_cast<std::size_t>(axis)];
+    const auto n = static_cast<std::size_t>(at[axis]);
+    box.lo[axis] = planes[n];
+    box.hi[axis] = planes[n + 1];
+  }
+  return box;
+}
+
+unsigned Regions::inner_faces(std::size_t region) const {
+  const Index3 at = place(region);
+  unsigned faces = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto n = static_cast<int>(planes_[static_cast<std::size_t>(axis)].size());
+    if (at[axis] > 0) faces |= 1u << (2 * axis);
+    if (at[axis] + 2 < n) faces |= 1u << (2 * axis + 1);
+  }
+  return faces;
+}
+
+void Regions::for_each(Sheets& all, int threads, const Change& change) const {
+  std::vector<Region> regions(size());
+  std::vector<std::uint8_t> is_taken(all.facets.size());
+  const auto cell_of = [&](double at, int axis) {
+    const auto& planes = planes_[static_cast<std::size_t>(axis)];
+    return static_cast<int>(std::upper_bound(planes.begin() + 1, planes.end() - 1, at) -
+                            planes.begin()) -
+           1;
+  };
+  for (std::uint32_t f = 0; f < all.facets.size(); ++f) {
+    const auto& [a, b, c] = all.facets[f].v;
+    const Box3 box = box_of(all.points[a], all.points[b], all.points[c]);
+    Index3 lo, hi;
+    bool is_in_one = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      lo[axis] = cell_of(box.lo[axis], axis);
+      hi[axis] = cell_of(box.hi[axis], axis);
+      const double low =
+          planes_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(lo[axis])];
+      is_in_one &= lo[axis] == hi[axis] && (lo[axis] == 0 || box.lo[axis] > low);
+    }
+    Index3 at;
+    for (at.k = lo.k; at.k <= hi.k; ++at.k) {
+      for (at.j = lo.j; at.j <= hi.j; ++at.j) {
+        for (at.i = lo.i; at.i <= hi.i; ++at.i) {
+          Region& region = regions[number(at)];
+          (is_in_one ? region.free : region.fixed).push_back(f);
+        }
+      }
+    }
+  }
+  for_each_task(threads, regions.size(), [&](std::size_t n) {
+    Region& region = regions[n];
+    if (std::ranges::all_of(region.free, [&](std::uint32_t f) { return all.facets[f].is_done; })) {
+      region.free.clear();
+      return;
+    }
+    region.sheets = part_of(all, region);
+    change(region.sheets, n);
+  });
+  std::vector<SheetFacet> left;
+  for (const Region& region : regions) {
+    for (const std::uint32_t f : region.free) is_taken[f] = 1;
+  }
+  for (std::size_t f = 0; f < all.facets.size(); ++f) {
+    if (is_taken[f] == 0) left.push_back(all.facets[f]);
+  }
+  all.facets = std::move(left);
+  for (Region& region : regions) {
+    if (!region.free.empty()) put_back(region, all);
+  }
+  all.free_facets = all.facets.size();
+}
+
+}  // namespace deliso
