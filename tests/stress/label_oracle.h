@@ -1,0 +1,606 @@
+// SPDX-License-Identifier: MIT
+// What the borders of bodies must be, counted anew from the bodies of the samples alone.
+//
+// Samples of a body span a full subcomplex S of Freudenthal's triangulation, whose edges are 7
+// steps from a sample to others of a voxel. Its region R is a regular neighborhood of S
+// (docs/proof.md), and so is R's part of the box's surface one of S', the simplices of S there.
+// Hence
+//   O1  R has the components of S. Around each there is one surface for each component of the other
+//       samples, and one outside of the box: the bounded ones lie within the component's own box.
+//   O2  The closed surface of R has the Euler number 2 chi(S).
+//   O3  Of it the box's faces hold R', which has chi(R') = chi(S'); the two parts share curves,
+//       whose Euler number is 0. So the surface that ends on the box has 2 chi(S) - chi(S').
+//   O4  A component of R' is a sphere with holes, of Euler number 2 - holes: there are
+//       2 components(S') - chi(S') curves.
+//   O5  In a simplex the border of R is a cell that meets its edges between R and the rest. So the
+//       components of the surface that ends on the box are those of such edges, two of which are
+//       neighbors in a triangle.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/disjoint_sets.h"
+#include "base/text.h"
+#include "check/place_faults.h"
+#include "check/quality.h"
+#include "mesh/tri_mesh.h"
+#include "more/bodies/bodies.h"
+#include "more/bodies/label_complex.h"
+#include "more/bodies/partition.h"
+#include "volume/sampled.h"
+
+namespace deliso::stress {
+
+// The steps from the least sample of a simplex to its others. A step is a set of axes, and holds
+// the one before.
+using Chain = std::vector<int>;
+
+// Returns the chains of Freudenthal's simplices: a sample, 7 edges, 12 triangles, 6 tetrahedra.
+inline const std::vector<Chain>& chains() {
+  static const std::vector<Chain> all = [] {
+    std::vector<Chain> found{{}};
+    for (std::size_t n = 0; n < found.size(); ++n) {
+      const int last = found[n].empty() ? 0 : found[n].back();
+      for (int step = last + 1; step < 8; ++step) {
+        if ((step & last) != last) continue;
+        Chain longer = found[n];
+        longer.push_back(step);
+        found.push_back(longer);
+      }
+    }
+    return found;
+  }();
+  return all;
+}
+
+class LabelOracle {
+ public:
+  explicit LabelOracle(const Partition& partition)
+      : dims_(partition.shape().dims()), bodies_(partition.size()) {
+    for_each_index(dims_, [&](int i, int j, int k) {
+      body_.push_back(partition.body_at({i, j, k}));
+    });
+    count_simplices();
+    add_surfaces();
+    add_pieces();
+  }
+
+  // Returns the counts of a body's surface with its faces on the box, and of that which ends there.
+  const TopologyCounts& closed(BodyId body) const { return bodies_[body].closed; }
+  const TopologyCounts& open(BodyId body) const { return bodies_[body].open; }
+
+ private:
+  struct Body {
+    TopologyCounts closed, open;
+  };
+
+  std::size_t index(Index3 s) const {
+    return static_cast<std::size_t>(s.i) +
+           static_cast<std::size_t>(dims_.i) *
+               (static_cast<std::size_t>(s.j) +
+                static_cast<std::size_t>(dims_.j) * static_cast<std::size_t>(s.k));
+  }
+  bool holds(Index3 s) const {
+    return s.i >= 0 && s.j >= 0 && s.k >= 0 && s.i < dims_.i && s.j < dims_.j && s.k < dims_.k;
+  }
+
+  // Calls visit(sample, chain) for all simplices.
+  template <class Visit>
+  void for_each_simplex(Visit&& visit) const {
+    for_each_index(dims_, [&](int i, int j, int k) {
+      const Index3 s{i, j, k};
+      for (const Chain& chain : chains()) {
+        if (chain.empty() || holds(corner_of(s, chain.back()))) visit(s, chain);
+      }
+    });
+  }
+
+  // O2, O3, and of O4 the Euler number.
+  void count_simplices() {
+    for_each_simplex([&](Index3 s, const Chain& chain) {
+      const BodyId body = body_[index(s)];
+      unsigned faces = outer_faces(s, dims_);
+      for (const int step : chain) {
+        const Index3 corner = corner_of(s, step);
+        if (body_[index(corner)] != body) return;
+        faces &= outer_faces(corner, dims_);
+      }
+      const int sign = chain.size() % 2 == 0 ? 1 : -1;
+      bodies_[body].closed.euler += 2 * sign;
+      bodies_[body].open.euler += 2 * sign;
+      if (faces == 0) return;
+      bodies_[body].open.euler -= sign;
+      bodies_[body].open.boundary_loops -= static_cast<std::uint64_t>(sign);
+    });
+  }
+
+  // O1, and of O4 the components.
+  void add_surfaces() {
+    DisjointSets inside(body_.size()), on_box(body_.size());
+    for_each_simplex([&](Index3 s, const Chain& chain) {
+      if (chain.size() != 1) return;
+      const Index3 end = corner_of(s, chain[0]);
+      const auto a = static_cast<std::uint32_t>(index(s)),
+                 b = static_cast<std::uint32_t>(index(end));
+      if (body_[a] != body_[b]) return;
+      inside.unite(a, b);
+      if ((outer_faces(s, dims_) & outer_faces(end, dims_)) != 0) on_box.unite(a, b);
+    });
+    std::map<std::uint32_t, SampleBox> boxes;
+    for_each_index(dims_, [&](int i, int j, int k) {
+      const Index3 s{i, j, k};
+      const auto n = static_cast<std::uint32_t>(index(s));
+      if (outer_faces(s, dims_) != 0 && on_box.find(n) == n) {
+        bodies_[body_[n]].open.boundary_loops += 2;
+      }
+      const auto [at, is_new] = boxes.try_emplace(inside.find(n), SampleBox{s, s});
+      if (!is_new) at->second = united(at->second, {s, s});
+    });
+    for (const auto& [piece, box] : boxes) {
+      bodies_[body_[piece]].closed.components += surfaces_around(inside, piece, box);
+    }
+  }
+
+  // Returns how many components the samples of others have in a component's box, and around it.
+  std::uint64_t surfaces_around(DisjointSets& inside, std::uint32_t piece,
+                                const SampleBox& box) const {
+    const Index3 n = box.dims() + Index3{2, 2, 2};
+    const auto number = [&](Index3 s) {
+      return static_cast<std::uint32_t>(s.i + n.i * (s.j + n.j * s.k));
+    };
+    std::vector<std::uint8_t> is_other;
+    for_each_index(n, [&](int i, int j, int k) {
+      const Index3 s{i - 1 + box.begin.i, j - 1 + box.begin.j, k - 1 + box.begin.k};
+      is_other.push_back(!holds(s) || inside.find(static_cast<std::uint32_t>(index(s))) != piece);
+    });
+    DisjointSets others(is_other.size());
+    for_each_index(n, [&](int i, int j, int k) {
+      for (int step = 1; step < 8; ++step) {
+        const Index3 s{i, j, k}, end = corner_of(s, step);
+        if (end.i == n.i || end.j == n.j || end.k == n.k) continue;
+        if (is_other[number(s)] && is_other[number(end)]) others.unite(number(s), number(end));
+      }
+    });
+    std::uint64_t count = 0;
+    for (std::uint32_t s = 0; s < is_other.size(); ++s) count += is_other[s] && others.find(s) == s;
+    return count;
+  }
+
+  // O5. An edge has the number of its least sample, times 8, plus its step.
+  void add_pieces() {
+    for (BodyId body = 0; body < bodies_.size(); ++body) {
+      DisjointSets edges(8 * body_.size());
+      std::set<std::uint32_t> at_border;
+      for_each_simplex([&](Index3 s, const Chain& chain) {
+        if (chain.size() != 2) return;
+        const Index3 corner[] = {s, corner_of(s, chain[0]), corner_of(s, chain[1])};
+        const int step[] = {chain[0], chain[1], chain[0] ^ chain[1]};
+        std::vector<std::uint32_t> passed;
+        for (int n = 0; n < 3; ++n) {  // edges 01, 02, 12
+          const Index3 &a = corner[n / 2], &b = corner[n == 0 ? 1 : 2];
+          if ((body_[index(a)] == body) == (body_[index(b)] == body)) continue;
+          passed.push_back(static_cast<std::uint32_t>(8 * index(a)) +
+                           static_cast<std::uint32_t>(step[n]));
+        }
+        if (passed.empty()) return;
+        edges.unite(passed[0], passed[1]);
+        at_border.insert(passed.begin(), passed.end());
+      });
+      for (const std::uint32_t edge : at_border) {
+        bodies_[body].open.components += edges.find(edge) == edge;
+      }
+    }
+  }
+
+  Index3 dims_;
+  std::vector<BodyId> body_;  // per sample
+  std::vector<Body> bodies_;
+};
+
+// True if each sample belongs to the body with the largest field, and of equal ones to the first.
+inline bool has_largest_bodies(const Partition& partition) {
+  bool is_largest = true;
+  for_each_index(partition.shape().dims(), [&](int i, int j, int k) {
+    BodyId largest = 0;
+    for (BodyId body = 1; body < partition.size(); ++body) {
+      const Index3 s{i, j, k};
+      if (partition.value(body, s) > partition.value(largest, s)) largest = body;
+    }
+    is_largest &= partition.body_at({i, j, k}) == largest;
+  });
+  return is_largest;
+}
+
+// What triangles are, from their corners alone.
+struct Surface {
+  std::string fault;  // empty: a manifold, oriented, which ends on the box only
+  TopologyCounts counts;
+};
+
+inline Surface surface_of(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
+                          const Box3& box) {
+  struct Use {
+    std::array<VertexId, 2> ends;  // ascending
+    std::size_t triangle;
+    int side;  // from this corner to the next
+    bool forward;
+    bool operator<(const Use& b) const { return ends < b.ends; }
+  };
+  std::vector<Use> uses;
+  std::set<VertexId> vertices;
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    for (int i = 0; i < 3; ++i) {
+      const VertexId a = triangles[f][i], b = triangles[f][(i + 1) % 3];
+      if (a == b) return {text("triangle ", f, " has a corner twice"), {}};
+      uses.push_back({{std::min(a, b), std::max(a, b)}, f, i, a < b});
+      vertices.insert(a);
+    }
+  }
+  std::stable_sort(uses.begin(), uses.end());
+  // Triangles at a vertex that hang together by edges there are a fan.
+  DisjointSets corners(3 * triangles.size()), pieces(triangles.size());
+  std::map<VertexId, VertexId> boundary;  // from the beginning of an edge to its end
+  std::int64_t edges = 0;
+  for (std::size_t n = 0, m = 0; n < uses.size(); n = m, ++edges) {
+    const Use &one = uses[n], &other = uses[n + 1 < uses.size() ? n + 1 : n];
+    while (m < uses.size() && uses[m].ends == one.ends) ++m;
+    const auto [a, b] = one.ends;
+    if (m - n > 2) return {text(m - n, " triangles at the edge ", a, " ", b), {}};
+    if (m - n == 1) {
+      if ((box_faces_at(points[a], box) & box_faces_at(points[b], box)) == 0) {
+        return {text("the edge ", a, " ", b, " of one triangle is not on the box"), {}};
+      }
+      boundary[one.forward ? a : b] = one.forward ? b : a;
+      continue;
+    }
+    if (one.forward == other.forward) return {text("two directions at the edge ", a, " ", b), {}};
+    // The corner at the beginning of one is at the end of the other.
+    const auto corner = [](const Use& use, int end) {
+      return static_cast<std::uint32_t>(3 * use.triangle) +
+             static_cast<std::uint32_t>((use.side + end) % 3);
+    };
+    corners.unite(corner(one, 0), corner(other, 1));
+    corners.unite(corner(one, 1), corner(other, 0));
+    pieces.unite(static_cast<std::uint32_t>(one.triangle),
+                 static_cast<std::uint32_t>(other.triangle));
+  }
+  const auto sets = [](DisjointSets& all, std::size_t count) {
+    std::uint64_t found = 0;
+    for (std::uint32_t n = 0; n < count; ++n) found += all.find(n) == n;
+    return found;
+  };
+  const std::uint64_t fans = sets(corners, 3 * triangles.size());
+  if (fans != vertices.size()) {
+    return {text(vertices.size(), " vertices have ", fans, " fans of triangles"), {}};
+  }
+  Surface surface;
+  surface.counts.components = sets(pieces, triangles.size());
+  surface.counts.euler = static_cast<std::int64_t>(vertices.size()) - edges +
+                         static_cast<std::int64_t>(triangles.size());
+  while (!boundary.empty()) {
+    ++surface.counts.boundary_loops;
+    for (auto at = boundary.begin(); at != boundary.end();) {
+      const VertexId next = at->second;
+      boundary.erase(at);
+      at = boundary.find(next);
+    }
+  }
+  return surface;
+}
+
+inline std::string text_of(const TopologyCounts& counts) {
+  return text(counts.components, " components, Euler number ", counts.euler, ", ",
+              counts.boundary_loops, " boundary loops");
+}
+
+// Returns the triangles of each body, counter-clockwise seen from outside.
+inline std::vector<std::vector<Triangle>> triangles_by_body(std::span<const InterfaceFacet> facets,
+                                                            std::size_t bodies) {
+  std::vector<std::vector<Triangle>> of(bodies);
+  for (const auto& [v, sides] : facets) {
+    of[sides[1]].push_back(v);
+    if (sides[0] < bodies) of[sides[0]].push_back({v[0], v[2], v[1]});
+  }
+  return of;
+}
+
+// Returns what is wrong with the bodies that facets name, and with facets on the box.
+inline std::string facets_fault(const Partition& partition, const std::vector<Vec3>& points,
+                                std::span<const InterfaceFacet> facets, bool cap) {
+  const Box3 box = partition.shape().box();
+  std::set<std::set<VertexId>> different;
+  std::set<VertexId> used;
+  std::array<double, 6> capped{};
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const auto& [v, bodies] = facets[f];
+    different.insert({v[0], v[1], v[2]});
+    used.insert(v.begin(), v.end());
+    if (bodies[1] >= partition.size() || bodies[0] >= partition.beyond(6) ||
+        bodies[0] == bodies[1] || partition.in_order(bodies[1], bodies[0]) != bodies) {
+      return text("facet ", f, " is between the bodies ", bodies[0], " and ", bodies[1]);
+    }
+    if (!partition.is_beyond(bodies[0])) continue;
+    if (!cap) return text("facet ", f, " is on the box");
+    if (bodies[1] == partition.background()) return text("facet ", f, " caps the background");
+    const auto face = static_cast<int>(bodies[0] - partition.beyond(0));
+    for (const VertexId corner : v) {
+      if ((box_faces_at(points[corner], box) >> face & 1) == 0) {
+        return text("vertex ", corner, " of facet ", f, " is not on face ", face, " of the box");
+      }
+    }
+    const Vec3 normal = cross(points[v[1]] - points[v[0]], points[v[2]] - points[v[0]]);
+    const double outwards = face % 2 == 0 ? -normal[face / 2] : normal[face / 2];
+    if (!(outwards > 0)) return text("facet ", f, " on the box is seen from inside");
+    capped[static_cast<std::size_t>(face)] += outwards / 2;
+  }
+  if (different.size() != facets.size()) return "a facet twice";
+  if (used.size() != points.size()) return "a point without a facet";
+  if (!cap || partition.background() != kNoId) return {};
+  for (std::size_t face = 0; face < 6; ++face) {
+    const Vec3 size = box.size();
+    const double area = size.x * size.y * size.z / size[static_cast<int>(face / 2)];
+    if (std::abs(capped[face] - area) > 1e-9 * area) {
+      return text("the facets on face ", face, " have the area ", capped[face], ", not ", area);
+    }
+  }
+  return {};
+}
+
+// The facet that a ray meets first: its number, and whether the ray comes from its front. Not the
+// one that the ray leaves. Not known where the ray passes near an edge.
+struct Met {
+  std::size_t facet;
+  bool from_front;
+};
+
+inline std::optional<Met> first_met(const std::vector<Vec3>& points,
+                                    std::span<const InterfaceFacet> facets, std::size_t leaves,
+                                    const Vec3& from, const Vec3& along) {
+  constexpr double kNearEdge = 1e-6;
+  std::optional<Met> met;
+  double nearest = std::numeric_limits<double>::infinity(), unknown = nearest;
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    if (f == leaves) continue;
+    const auto& [a, b, c] = facets[f].v;
+    const Vec3 ab = points[b] - points[a], ac = points[c] - points[a], to = points[a] - from;
+    const Vec3 normal = cross(ab, ac);
+    const double facing = dot(normal, along), at = dot(normal, to) / facing;
+    const Vec3 turn = cross(to, along);
+    const double x = dot(turn, ac) / facing, y = -dot(turn, ab) / facing;
+    const double least = std::min({x, y, 1 - x - y});
+    if (!(std::fabs(facing) > 0) || !(at > 0) || least < -kNearEdge) continue;
+    if (least < kNearEdge) unknown = std::min(unknown, at);
+    if (least < kNearEdge || at >= nearest) continue;
+    nearest = at;
+    met = {f, facing < 0};
+  }
+  return nearest < unknown ? met : std::nullopt;
+}
+
+// Returns facets between which space seems to have two bodies: from some facets, one of each
+// component among them, it looks for the next one in front and behind.
+inline std::string sides_fault(const std::vector<Vec3>& points,
+                               std::span<const InterfaceFacet> facets) {
+  constexpr std::size_t kPairs = 2'000'000;
+  DisjointSets joined(points.size());
+  for (const InterfaceFacet& facet : facets) {
+    joined.unite(facet.v[0], facet.v[1]);
+    joined.unite(facet.v[0], facet.v[2]);
+  }
+  std::set<std::uint32_t> seen;
+  const std::size_t step = 1 + facets.size() * facets.size() / kPairs;
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const bool is_first = seen.insert(joined.find(facets[f].v[0])).second;
+    if (!is_first && f % step != 0) continue;
+    const Vec3 &a = points[facets[f].v[0]], &b = points[facets[f].v[1]],
+               &c = points[facets[f].v[2]];
+    const Vec3 normal = cross(b - a, c - a);
+    for (const bool to_front : {true, false}) {
+      const auto met =
+          first_met(points, facets, f, (a + b + c) / 3, to_front ? normal : -1 * normal);
+      if (!met) continue;
+      const BodyId here = facets[f].bodies[to_front ? 0 : 1];
+      const BodyId there = facets[met->facet].bodies[met->from_front ? 0 : 1];
+      if (here != there) {
+        return text("between the facets ", f, " and ", met->facet, " lie the bodies ", here,
+                    " and ", there);
+      }
+    }
+  }
+  return {};
+}
+
+// Returns what is wrong with the borders; empty if nothing is.
+inline std::string borders_fault(const Partition& partition, const LabelOracle& oracle,
+                                 const std::vector<Vec3>& points,
+                                 std::span<const InterfaceFacet> facets, bool cap) {
+  const Box3 box = partition.shape().box();
+  for (const Vec3& p : points) {
+    if (!box.contains(p)) return "a point outside of the box";
+  }
+  if (std::string fault = facets_fault(partition, points, facets, cap); !fault.empty())
+    return fault;
+  const auto triangles = triangles_by_body(facets, partition.size());
+  for (BodyId body = 0; body < partition.size(); ++body) {
+    const bool is_closed = cap && body != partition.background();
+    const Surface surface = surface_of(points, triangles[body], box);
+    if (!surface.fault.empty()) return text("body ", body, ": ", surface.fault);
+    const TopologyCounts& expected = is_closed ? oracle.closed(body) : oracle.open(body);
+    if (surface.counts != expected) {
+      return text("body ", body, ": ", text_of(surface.counts), ", not ", text_of(expected));
+    }
+    if (is_closed && !triangles[body].empty() &&
+        !(enclosed_volume(make_tri_mesh(points, triangles[body])) > 0)) {
+      return text("body ", body, " is inside out");
+    }
+  }
+  std::vector<Triangle> all;
+  for (const InterfaceFacet& facet : facets) all.push_back(facet.v);
+  const PlaceFaults faults = find_place_faults(points, all);
+  if (faults.count() == 0) return sides_fault(points, facets);
+  return text(faults.crossings, " crossings, ", faults.flat, " flat, ", faults.coincident,
+              " coincident");
+}
+
+struct Borders {
+  std::vector<Vec3> points;
+  std::vector<InterfaceFacet> facets;
+};
+
+// Returns T_L's facets that a mesh has, with the points that they use.
+inline Borders borders_of(const LabelComplex& complex, const Partition& partition, bool cap) {
+  Borders borders;
+  std::vector<VertexId> number(complex.sheets.points.size(), kNoId);
+  for (const auto& of_complex : complex.sheets.facets) {
+    InterfaceFacet facet{of_complex.v, of_complex.bodies};
+    const bool is_cap = partition.is_beyond(facet.bodies[0]);
+    if (is_cap && (!cap || facet.bodies[1] == partition.background())) continue;
+    for (VertexId& v : facet.v) {
+      if (number[v] == kNoId) {
+        number[v] = VertexId(borders.points.size());
+        borders.points.push_back(complex.sheets.points[v]);
+      }
+      v = number[v];
+    }
+    borders.facets.push_back(facet);
+  }
+  return borders;
+}
+
+// Components and Euler number of the facets between two bodies, with their corners and edges.
+struct SheetCounts {
+  std::size_t components = 0;
+  std::int64_t euler = 0;
+  friend bool operator==(const SheetCounts&, const SheetCounts&) = default;
+};
+
+inline std::map<std::array<BodyId, 2>, SheetCounts> sheet_counts(
+    std::size_t points, std::span<const InterfaceFacet> facets) {
+  std::map<std::array<BodyId, 2>, std::vector<Triangle>> sheets;
+  for (const InterfaceFacet& facet : facets) sheets[facet.bodies].push_back(facet.v);
+  std::map<std::array<BodyId, 2>, SheetCounts> counts;
+  for (const auto& [bodies, triangles] : sheets) {
+    DisjointSets pieces(points);
+    std::set<VertexId> vertices;
+    std::set<std::array<VertexId, 2>> edges;
+    for (const Triangle& t : triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [a, b] = std::minmax(t[i], t[(i + 1) % 3]);
+        vertices.insert(t[i]);
+        edges.insert({a, b});
+        pieces.unite(a, b);
+      }
+    }
+    SheetCounts& of = counts[bodies];
+    for (const VertexId v : vertices) of.components += pieces.find(v) == v;
+    of.euler = static_cast<std::int64_t>(vertices.size() + triangles.size()) -
+               static_cast<std::int64_t>(edges.size());
+  }
+  return counts;
+}
+
+// Returns what is wrong with a mesh of the borders; empty if nothing is.
+inline std::string mesh_fault(const Partition& partition, const LabelOracle& oracle,
+                              const InterfaceMesh& mesh, bool cap) {
+  std::string fault = borders_fault(partition, oracle, mesh.points, mesh.facets, cap);
+  if (!fault.empty()) return fault;
+  const Borders borders =
+      borders_of(label_complex(partition, {{0, 0, 0}, partition.shape().voxels()}), partition, cap);
+  const auto expected_sheets = sheet_counts(borders.points.size(), borders.facets);
+  auto sheets = sheet_counts(mesh.points.size(), mesh.facets);
+  for (const auto& [bodies, expected] : expected_sheets) {
+    const SheetCounts& found = sheets[bodies];
+    if (found == expected) continue;
+    return text("between the bodies ", bodies[0], " and ", bodies[1], ": ", found.components,
+                " components, Euler number ", found.euler, ", in T_L ", expected.components,
+                " and ", expected.euler);
+  }
+  if (sheets.size() != expected_sheets.size()) return "bodies meet that do not in T_L";
+  for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
+    if (partition.is_beyond(mesh.facets[f].bodies[0]) != (f >= mesh.inner_facets)) {
+      return text("facet ", f, " is among the wrong ones: ", mesh.inner_facets,
+                  " are between bodies");
+    }
+  }
+  for (BodyId body = 0; body < partition.size(); ++body) {
+    const bool is_closed = cap && body != partition.background();
+    const TopologyCounts& expected = is_closed ? oracle.closed(body) : oracle.open(body);
+    if (mesh.exact[body] != expected) {
+      return text("body ", body, ": as exact are told ", text_of(mesh.exact[body]), ", not ",
+                  text_of(expected));
+    }
+    if (mesh.topology[body] != expected) {
+      return text("body ", body, ": of the mesh are told ", text_of(mesh.topology[body]), ", not ",
+                  text_of(expected));
+    }
+    const TriMesh own = mesh.mesh_of(body);
+    if (surface_of(own.points, own.triangles(), partition.shape().box()).counts != expected) {
+      return text("body ", body, ": mesh_of() has another topology");
+    }
+  }
+  return {};
+}
+
+// A facet of T_L by the simplices that hold its points, the least one first.
+using SimplexFacet = std::pair<std::array<std::uint64_t, 3>, std::array<BodyId, 2>>;
+
+// Returns what is wrong with T_L; empty if nothing is. `cut`: the voxel along `axis` where it is
+// cut into two blocks, which together must have the facets and points of the whole.
+inline std::string complex_fault(const Partition& partition, const LabelOracle& oracle, int axis,
+                                 int cut) {
+  if (!has_largest_bodies(partition)) return "a sample is in another body than its fields say";
+  const Index3 voxels = partition.shape().voxels();
+  const LabelComplex whole = label_complex(partition, {{0, 0, 0}, voxels});
+  const std::vector<Vec3>& points = whole.sheets.points;
+  for (const bool cap : {false, true}) {
+    const Borders borders = borders_of(whole, partition, cap);
+    const std::string fault = borders_fault(partition, oracle, borders.points, borders.facets, cap);
+    if (!fault.empty()) return (cap ? "T_L with caps: " : "T_L: ") + fault;
+  }
+  for (const auto& facet : whole.sheets.facets) {
+    const Vec3 &a = points[facet.v[0]], &b = points[facet.v[1]], &c = points[facet.v[2]];
+    const Box3 box = box_of(a, b, c);
+    const Index3 voxel = partition.shape().voxel_at(box.middle());
+    const Box3 around{partition.shape().position(voxel),
+                      partition.shape().position(corner_of(voxel, 7))};
+    if (!around.contains(box.lo) || !around.contains(box.hi)) return "T_L: a facet in two voxels";
+  }
+  std::map<std::uint64_t, Vec3> place, place_in_blocks;
+  std::set<SimplexFacet> facets, facets_in_blocks;
+  const auto add = [](const LabelComplex& complex, auto& places, auto& found) {
+    for (std::size_t v = 0; v < complex.simplex.size(); ++v) {
+      const Vec3& p = complex.sheets.points[v];
+      if (places.try_emplace(complex.simplex[v], p).first->second != p) return false;
+    }
+    for (const auto& facet : complex.sheets.facets) {
+      std::array<std::uint64_t, 3> at;
+      for (std::size_t i = 0; i < 3; ++i) at[i] = complex.simplex[facet.v[i]];
+      std::ranges::rotate(at, std::ranges::min_element(at));
+      if (!found.insert({at, facet.bodies}).second) return false;
+    }
+    return true;
+  };
+  add(whole, place, facets);
+  SampleBox low{{0, 0, 0}, voxels}, high = low;
+  low.end[axis] = high.begin[axis] = cut;
+  if (!add(label_complex(partition, low), place_in_blocks, facets_in_blocks) ||
+      !add(label_complex(partition, high), place_in_blocks, facets_in_blocks) ||
+      place != place_in_blocks || facets != facets_in_blocks) {
+    return text("T_L in two blocks, cut along ", axis, " at ", cut, ", is another one");
+  }
+  return {};
+}
+
+}  // namespace deliso::stress
