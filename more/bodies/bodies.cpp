@@ -2,9 +2,11 @@
 #include "more/bodies/bodies.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
+#include "base/check.h"
 #include "base/parallel.h"
 #include "base/sorted_list.h"
 #include "base/stopwatch.h"
@@ -29,6 +31,8 @@ class Builder {
         report_(report),
         side_(options.block_side == Options::kUsualSide ? kUsualSide : options.block_side) {
     parameters_.observer = nullptr;
+    report_.r_min = parameters_.r_min;
+    report_.max_distance = parameters_.refinement[Criterion::distance];
   }
 
   InterfaceMesh run() {
@@ -46,6 +50,9 @@ class Builder {
     mesh_.topology = total(std::vector{count_surfaces(sheets_, partition_, options_.cap, own)},
                            partition_.size());
     take_facets();
+    if (mesh_.points.size() > options_.max_vertices) {
+      throw InputError("more than --max-vertices ", options_.max_vertices, " vertices needed");
+    }
     return std::move(mesh_);
   }
 
@@ -155,9 +162,9 @@ class Builder {
     };
     take(false);
     mesh_.inner_facets = mesh_.facets.size();
-    if (options_.cap) take(true);
     report_.vertices_refined = mesh_.points.size();
     report_.triangles_refined = mesh_.facets.size();
+    if (options_.cap) take(true);
   }
 
   const Partition& partition_;
@@ -168,6 +175,42 @@ class Builder {
   Sheets sheets_;
   InterfaceMesh mesh_;
 };
+
+// Looks for the bound on the distance at which the mesh has at most the desired number of vertices
+// or triangles, and nearly as many. Returns that with the most of those that have not more; if none
+// has, that with the largest bound.
+InterfaceMesh mesh_near_count(const Partition& partition, const Options& options, Report& report) {
+  constexpr double kFirstVoxels = 0.1, kLeastVoxels = 2e-3, kMostVoxels = 2, kEnough = 0.98;
+  constexpr int kMostRuns = 9;
+  Options one = options;
+  one.target_vertices = one.target_triangles = Options::kNoTarget;
+  const auto share = [&](const Report& of) {  // of the desired number
+    return std::max(
+        static_cast<double>(of.vertices_refined) / static_cast<double>(options.target_vertices),
+        static_cast<double>(of.triangles_refined) / static_cast<double>(options.target_triangles));
+  };
+  double least = kLeastVoxels, most = kMostVoxels, bound = kFirstVoxels, best = 0;
+  InterfaceMesh found;
+  for (int run = 0; run < kMostRuns && best < kEnough; ++run) {
+    one.limits[Criterion::distance] = {bound, Length::Unit::voxel};
+    Report made;
+    InterfaceMesh mesh = Builder(partition, one, made).run();
+    const double now = share(made);
+    if ((now <= 1 && now > best) || (now > 1 && best == 0)) {
+      found = std::move(mesh);
+      report = made;
+      if (now <= 1) best = now;
+    }
+    if (now > 1 && bound == kMostVoxels) break;
+    (now > 1 ? least : most) = bound;
+    // The number falls about as the bound grows.
+    bound *= now;
+    if (!(bound > least && bound < most)) {
+      bound = most == kMostVoxels && now > 1 ? kMostVoxels : std::sqrt(least * most);
+    }
+  }
+  return found;
+}
 
 }  // namespace
 
@@ -193,6 +236,7 @@ TriMesh InterfaceMesh::mesh_of(BodyId body) const {
 InterfaceMesh mesh_interfaces(const Partition& partition, const Options& options, Report& report) {
   const StepTimer total(report.seconds_total);
   require_limits(options, partition.shape());
+  if (options.has_target()) return mesh_near_count(partition, options, report);
   return Builder(partition, options, report).run();
 }
 
