@@ -12,7 +12,7 @@
 #include "base/disjoint_sets.h"
 #include "base/sorted_list.h"
 #include "base/stopwatch.h"
-#include "embedding/page_order.h"
+#include "embedding/pages.h"
 #include "more/bodies/borders.h"
 #include "more/bodies/sheet_faults.h"
 #include "surface/hole.h"
@@ -34,6 +34,9 @@ constexpr double kSharpestKink = 0.35;
 constexpr int kCurveSteps = 2;
 constexpr double kLongestStep = 0.7;
 constexpr int kNewtonSteps = 4;
+
+// Cosine of the least angle between facets at an edge after a change, unless one was less before.
+constexpr double kSharpestFold = 0.97;
 
 // Attempts. Each keeps the vertices so many voxels around the faults of those before; after the
 // last all stay.
@@ -84,7 +87,7 @@ class SheetCoarsener {
     Ring ring;
     Hole hole;
   };
-  static constexpr std::size_t kMostPages = 6;
+  static constexpr std::size_t kMostPages = 8;
 
   VertexId vertex(VertexId copy) const { return cut_.vertex[copy]; }
 
@@ -194,9 +197,9 @@ class SheetCoarsener {
     }
     if (!is_on_curve && page_[0].hole.size() == 1 && has_facet(v, page_[0].ring)) return false;
     for (std::size_t n = 0; n < pages_; ++n) {
-      if (passes_sheet(page_[n], v)) return false;
+      if (spoils_ring(page_[n], v)) return false;
     }
-    if (is_on_curve && !keeps_order(v)) return false;
+    if (is_on_curve && spoils_chord(v)) return false;
     for (std::size_t n = 0; n < pages_; ++n) replace(page_[n]);
     first_[v] = kNoId;
     return true;
@@ -256,83 +259,117 @@ class SheetCoarsener {
     });
   }
 
-  // True if a new facet of the page at an edge of another curve passes one that ends there, too.
-  bool passes_sheet(const Page& page, VertexId v) const {
+  // True if a new facet of the page passes a facet of another sheet at an edge of its ring, or
+  // folds onto the facet across.
+  bool spoils_ring(const Page& page, VertexId v) const {
     const Ring& ring = page.ring;
     for (int f = 0; f < page.hole.size(); ++f) {
       const Hole::Facet& facet = page.hole.facet(f);
       for (std::size_t s = 0; s < 3; ++s) {
-        if (facet.across[s] >= 0 || ring.outer[~facet.across[s]] != kNoId) continue;
         const int k = ~facet.across[s];
-        if (k == ring.facets) continue;  // the curve's new edge
-        if (moves_past(ring.vertex[k], ring.vertex[ring.after(k)], v, ring.center,
-                       ring.point[facet.corner[s]])) {
+        if (facet.across[s] < 0 && k < ring.facets &&
+            spoils_edge(ring.vertex[k], ring.vertex[ring.after(k)], ring.outer[k], v, ring.center,
+                        ring.point[facet.corner[s]])) {
           return true;
         }
       }
     }
     return false;
   }
-  // True if the page at the edge between these copies, whose third corner was v, at `from`, passes
-  // another one when that corner is at `to`.
-  bool moves_past(VertexId a, VertexId b, VertexId v, const Vec3& from, const Vec3& to) const {
+  // The same for a facet at the edge between these copies, whose third corner was v, at `from`,
+  // when that corner is at `to`. `across`: the facet across in the sheet; kNoId on a curve.
+  bool spoils_edge(VertexId a, VertexId b, FaceId across, VertexId v, const Vec3& from,
+                   const Vec3& to) const {
     const Vec3 &p = mesh_.points[a], &q = mesh_.points[b];
-    std::optional<Vec3> first, second;
-    for_each_facet(vertex(a), [&](const Face& face) {
-      if (!has_vertex(face, vertex(b)) || has_vertex(face, v)) return true;
+    std::array<Vec3, 2> apex;
+    std::size_t found = 0;
+    const auto take = [&](const Face& face) {
+      if (!has_vertex(face, vertex(b)) || has_vertex(face, v) || found == 2) return true;
       for (const VertexId c : face.v) {
-        if (vertex(c) != vertex(a) && vertex(c) != vertex(b)) {
-          (first ? second : first) = mesh_.points[c];
+        if (vertex(c) != vertex(a) && vertex(c) != vertex(b)) apex[found] = mesh_.points[c];
+      }
+      ++found;
+      return true;
+    };
+    across == kNoId ? for_each_facet(vertex(a), take) : take(mesh_.faces[across]);
+    for (std::size_t n = 0; n < found; ++n) {
+      const double after = cosine_of_pages(p, q, apex[n], to);
+      if (after > kSharpestFold && after > cosine_of_pages(p, q, apex[n], from)) return true;
+    }
+    return found == 2 &&
+           are_in_order(p, q, apex[0], apex[1], from) != are_in_order(p, q, apex[0], apex[1], to);
+  }
+
+  // The facets at the edges of curves that end at v: the other end of the edge, and the third
+  // corner.
+  struct Spoke {
+    VertexId end;
+    Vec3 apex;
+  };
+  std::vector<Spoke> spokes() const {
+    std::vector<Spoke> found;
+    for (std::size_t n = 0; n < pages_; ++n) {
+      const Ring& ring = page_[n].ring;
+      if (ring.is_closed) continue;
+      found.push_back({vertex(ring.vertex[0]), ring.point[1]});
+      found.push_back({vertex(ring.vertex[ring.size - 1]), ring.point[ring.size - 2]});
+    }
+    std::ranges::stable_sort(found, {}, &Spoke::end);
+    return found;
+  }
+  // True if the facets at an edge follow each other in another order after a change, or one folds
+  // onto another. `before` and `after`: their third corners.
+  static bool spoils_order(const Vec3& a, const Vec3& b, std::span<const Vec3> before,
+                           const Vec3& c, const Vec3& d, std::span<const Vec3> after) {
+    const auto sharpest = [](const Vec3& p, const Vec3& q, std::span<const Vec3> apex) {
+      double cosine = -1;
+      for (std::size_t n = 0; n < apex.size(); ++n) {
+        for (std::size_t m = 0; m < n; ++m) {
+          cosine = std::max(cosine, cosine_of_pages(p, q, apex[n], apex[m]));
         }
       }
+      return cosine;
+    };
+    if (before.size() == 3 && are_in_order(a, b, before[0], before[1], before[2]) !=
+                                  are_in_order(c, d, after[0], after[1], after[2])) {
       return true;
-    });
-    return second &&
-           are_in_order(p, q, *first, *second, from) != are_in_order(p, q, *first, *second, to);
+    }
+    const double now = sharpest(c, d, after);
+    return now > kSharpestFold && now > sharpest(a, b, before);
   }
-  // True if a facet at v passes one of another sheet when v moves: at an edge of a curve across
-  // from v, or at those of its own curve.
-  bool moves_past(VertexId v, const Vec3& to) const {
+
+  // True if that holds for an edge from v to a neighbor on its curves, or one across from v, when v
+  // moves.
+  bool spoils(VertexId v, const Vec3& to) const {
     for (std::size_t n = 0; n < pages_; ++n) {
       const Ring& ring = page_[n].ring;
       for (int k = 0; k < ring.facets; ++k) {
-        if (ring.outer[k] == kNoId &&
-            moves_past(ring.vertex[k], ring.vertex[ring.after(k)], v, ring.center, to)) {
+        if (spoils_edge(ring.vertex[k], ring.vertex[ring.after(k)], ring.outer[k], v, ring.center,
+                        to)) {
           return true;
         }
       }
     }
-    if (pages_ != 3) return false;
-    for (std::size_t end = 0; end < 2; ++end) {
-      const Vec3 &a = point(ends_[end]), &p = point(v);
-      const std::array<Vec3, 3> apex = apexes(end);
-      if (are_in_order(a, p, apex[0], apex[1], apex[2]) !=
-          are_in_order(a, to, apex[0], apex[1], apex[2])) {
-        return true;
-      }
+    const std::vector<Spoke> all = spokes();
+    for (std::size_t n = 0, m; n < all.size(); n = m) {
+      std::vector<Vec3> apex;
+      for (m = n; m < all.size() && all[m].end == all[n].end; ++m) apex.push_back(all[m].apex);
+      const Vec3& a = point(all[n].end);
+      if (spoils_order(a, point(v), apex, a, to, apex)) return true;
     }
     return false;
   }
-  // The third corners of the three pages' facets at the edge to an end.
-  std::array<Vec3, 3> apexes(std::size_t end) const {
-    std::array<Vec3, 3> found;
-    for (std::size_t n = 0; n < 3; ++n) {
-      const Ring& ring = page_[n].ring;
-      found[n] = ring.point[vertex(ring.vertex[0]) == ends_[end] ? 1 : ring.size - 2];
+  // True if it holds for the curve's new edge, for which v goes.
+  bool spoils_chord(VertexId v) const {
+    const std::vector<Spoke> all = spokes();
+    std::vector<Vec3> before, after;
+    for (const Spoke& spoke : all) {
+      if (spoke.end == ends_[0]) before.push_back(spoke.apex);
     }
-    return found;
-  }
-  // True if the pages follow each other at the curve's new edge as at its old ones.
-  bool keeps_order(VertexId v) const {
-    if (pages_ != 3) return true;
-    const Vec3 &a = point(ends_[0]), &b = point(ends_[1]), &p = point(v);
-    const std::array<Vec3, 3> before = apexes(0);
-    std::array<Vec3, 3> after;
-    for (std::size_t n = 0; n < 3; ++n) {
-      after[n] = page_[n].ring.point[page_[n].hole.facet(0).corner[1]];
+    for (std::size_t n = 0; n < pages_; ++n) {
+      after.push_back(page_[n].ring.point[page_[n].hole.facet(0).corner[1]]);
     }
-    return are_in_order(a, p, before[0], before[1], before[2]) ==
-           are_in_order(a, b, after[0], after[1], after[2]);
+    return spoils_order(point(ends_[0]), point(v), before, point(ends_[0]), point(ends_[1]), after);
   }
 
   // The bodies at the curve through the pages, without those beyond the box, and the faces of the
@@ -445,7 +482,7 @@ class SheetCoarsener {
         }
       }
     }
-    if (moves_past(v, to)) return false;
+    if (spoils(v, to)) return false;
     for (std::size_t n = 0; n < pages_; ++n) mesh_.points[page_[n].copy] = to;
     refused_[v][0] = kNoId;
     wake(v, v);
@@ -488,12 +525,17 @@ class SheetCoarsener {
   // Where all fields at the curve are equal, near its vertex, or half the way to the middle between
   // the neighbors.
   std::optional<Vec3> place_on_curve(std::optional<Vec3> start) {
-    if (!find_ends()) return std::nullopt;
+    const bool is_corner = !find_ends();
     const Curve at = curve();
-    if (at.bodies.size() < 2) return std::nullopt;
-    const Vec3 &a = point(ends_[0]), &b = point(ends_[1]), from = page_[0].ring.center;
-    const double reach = kLongestStep * std::sqrt(std::min(distance2(a, from), distance2(b, from)));
-    Vec3 to = start ? *start : 0.5 * (from + 0.5 * (a + b));
+    if (at.bodies.size() < 2 || at.bodies.size() > 4 || (is_corner && !start)) return std::nullopt;
+    const Vec3 from = page_[0].ring.center;
+    double nearest2 = kNotAsked;
+    for (const Spoke& spoke : spokes()) {
+      nearest2 = std::min(nearest2, distance2(point(spoke.end), from));
+    }
+    const double reach = kLongestStep * std::sqrt(nearest2);
+    Vec3 to = from;
+    if (!start) to = 0.5 * (from + 0.5 * (point(ends_[0]) + point(ends_[1])));
     for (int axis = 0; axis < 3; ++axis) {
       if ((at.faces >> (2 * axis) & 3) != 0) to[axis] = from[axis];
     }
@@ -506,6 +548,8 @@ class SheetCoarsener {
     const double size = distance(to, from);
     if (size < kLeastMove * scope_.distance) return std::nullopt;
     if (size > reach) to = from + reach / size * (to - from);
+    if (is_corner) return to;
+    const Vec3 &a = point(ends_[0]), &b = point(ends_[1]);
     const auto off = [&](const Vec3& p) {
       return std::max(distance_to(at, 0.5 * (a + p)), distance_to(at, 0.5 * (p + b)));
     };
@@ -546,10 +590,8 @@ class SheetCoarsener {
     const FaceId ab = faces[f].n[(i + 2) % 3], ca = faces[f].n[(i + 1) % 3];
     const FaceId bd = faces[g].n[corner_index(faces[g], c)],
                  dc = faces[g].n[corner_index(faces[g], b)];
-    if ((ab == kNoId && moves_past(a, b, vertex(c), pc, pd)) ||
-        (ca == kNoId && moves_past(c, a, vertex(b), pb, pd)) ||
-        (bd == kNoId && moves_past(d, b, vertex(c), pc, pa)) ||
-        (dc == kNoId && moves_past(c, d, vertex(b), pb, pa))) {
+    if (spoils_edge(a, b, ab, vertex(c), pc, pd) || spoils_edge(c, a, ca, vertex(b), pb, pd) ||
+        spoils_edge(d, b, bd, vertex(c), pc, pa) || spoils_edge(c, d, dc, vertex(b), pb, pa)) {
       return;
     }
     const auto link = [&](FaceId out, VertexId from, FaceId to) {

@@ -10,7 +10,7 @@
 #include "coarsen/facet_cells.h"
 #include "coarsen/fans.h"
 #include "delaunay/predicates.h"
-#include "embedding/page_order.h"
+#include "embedding/pages.h"
 #include "embedding/triangle_pair.h"
 #include "mesh/incidence.h"
 #include "surface/ring.h"

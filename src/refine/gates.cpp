@@ -8,7 +8,7 @@
 
 #include "base/check.h"
 #include "base/triangle.h"
-#include "embedding/page_order.h"
+#include "embedding/pages.h"
 #include "refine/refinement.h"
 
 namespace deliso {
@@ -105,7 +105,8 @@ std::span<const Refinement::FrozenSide> Refinement::frozen_at(VertexId a, Vertex
   return {first, last};
 }
 
-// G1, where several sheets end: the new facet lies between the same two as the old one.
+// G1 and G2, where several sheets end: the new facet lies between the same two as the old one, and
+// on neither of them.
 bool Refinement::passes_sheet(const Replacement& c) const {
   if (frozen_sides_.empty()) return false;
   for (std::size_t k = 0; k < c.in().boundary.size(); ++k) {
@@ -119,8 +120,13 @@ bool Refinement::passes_sheet(const Replacement& c) const {
     const Vec3 &x = point(others[0].apex), &y = point(others[1].apex);
     const Vec3& now = point(c.in().facets[facet][side]);
     const Vec3 before = point_before(c, c.cavity.disk.facets[old->facet][old->side]);
+    const auto sharpest = [&](const Vec3& p) {
+      return std::max(cosine_of_pages(point(a), point(b), x, p),
+                      cosine_of_pages(point(a), point(b), y, p));
+    };
     if (are_in_order(point(a), point(b), x, y, now) !=
-        are_in_order(point(a), point(b), x, y, before)) {
+            are_in_order(point(a), point(b), x, y, before) ||
+        sharpest(now) > std::max(-kSharpestFold, sharpest(before))) {
       return true;
     }
   }
