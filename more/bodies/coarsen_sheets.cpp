@@ -36,7 +36,7 @@ constexpr double kLongestStep = 0.7;
 constexpr int kNewtonSteps = 4;
 
 // Cosine of the least angle between facets at an edge after a change, unless one was less before.
-constexpr double kSharpestFold = 0.97;
+constexpr double kSharpestPages = 0.97;
 
 // Attempts. Each keeps the vertices so many voxels around the faults of those before; after the
 // last all stay.
@@ -294,7 +294,7 @@ class SheetCoarsener {
     across == kNoId ? for_each_facet(vertex(a), take) : take(mesh_.faces[across]);
     for (std::size_t n = 0; n < found; ++n) {
       const double after = cosine_of_pages(p, q, apex[n], to);
-      if (after > kSharpestFold && after > cosine_of_pages(p, q, apex[n], from)) return true;
+      if (after > kSharpestPages && after > cosine_of_pages(p, q, apex[n], from)) return true;
     }
     return found == 2 &&
            are_in_order(p, q, apex[0], apex[1], from) != are_in_order(p, q, apex[0], apex[1], to);
@@ -335,7 +335,7 @@ class SheetCoarsener {
       return true;
     }
     const double now = sharpest(c, d, after);
-    return now > kSharpestFold && now > sharpest(a, b, before);
+    return now > kSharpestPages && now > sharpest(a, b, before);
   }
 
   // True if that holds for an edge from v to a neighbor on its curves, or one across from v, when v

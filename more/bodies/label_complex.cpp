@@ -253,8 +253,8 @@ class Complex {
     double lo = 0, hi = 1, at_lo = sum[0], at_hi = sum[static_cast<std::size_t>(degree)], x = 0.5;
     for (int n = 0; n < 24 && hi - lo > 1e-6; ++n) {
       x = at_lo > at_hi ? (at_lo * hi - at_hi * lo) / (at_lo - at_hi) : 0.5;
-      const double least = n % 3 == 2 ? 0.5 * (hi - lo) : 0.05 * (hi - lo);
-      x = std::clamp(x, lo + least, hi - least);
+      const double least = 0.05 * (hi - lo);
+      x = n % 3 == 2 ? 0.5 * (lo + hi) : std::clamp(x, lo + least, hi - least);
       const double here = value(x);
       (here > 0 ? lo : hi) = x;
       (here > 0 ? at_lo : at_hi) = here;

@@ -34,7 +34,7 @@ allowed() {
     more/planar) echo "base delaunay more/planar" ;;
     more/cap) echo "$surface delaunay contour refine more/planar more/cap" ;;
     more/counts) echo "$surface contour coarsen refine blocks more/counts" ;;
-    more/bodies) echo "base delaunay mesh embedding volume check/check_mesh.h more/bodies" ;;
+    more/bodies) echo "$surface delaunay coarsen refine more/bodies" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface" \
       "run/criteria.h check" ;;
     io/files) echo "base io/files" ;;
