@@ -145,8 +145,6 @@ void add_distance(ReportWriter& out, const Report& report) {
           "D when Stage 2 ended: as asked for, or as far as --vertices allows, null: none; scaled "
           "frame",
           Rule::nullable);
-  out.add("largest_h", report.largest_h,
-          "of triangles above r_min when Stage 2 ended; scaled frame");
 }
 
 void add_memory(ReportWriter& out, std::uint64_t bytes) {
@@ -241,6 +239,8 @@ void add_run(ReportWriter& out, const MeshRun& run) {
   }
   add_searches(out, "searches_refine", report.searches_refine, "of Stage 2");
   add_distance(out, report);
+  out.add("largest_h", report.largest_h,
+          "of triangles above r_min when Stage 2 ended; scaled frame");
   add_operations(out, report);
   add_counters(out, report);
   add_mesh(out, run);

@@ -3,11 +3,11 @@
 // vertices and the facets between them. It is made as the mesh of one isosurface is:
 //
 //   T_L      a complex that has the right topology, and does not cross itself, by construction
-//            (bodies/label_complex.h);
+//            (more/bodies/label_complex.h);
 //   coarsen  vertices of it are removed and moved, and edges flipped, on the sheets between two
-//            bodies and on the curves between three (bodies/coarsen_sheets.h);
+//            bodies and on the curves between three (more/bodies/coarsen_sheets.h);
 //   refine   each sheet is refined by Stage 2 of the exact program, with all others frozen
-//            (bodies/refine_sheets.h).
+//            (more/bodies/refine_sheets.h).
 //
 // Every change keeps the topology, and none that makes facets cross stays. So each body is bounded
 // by a closed manifold with the topology of its subcomplex (docs/proof.md).

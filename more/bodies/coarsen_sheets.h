@@ -10,8 +10,8 @@
 //   - an edge within a sheet is flipped where the angles across it are too large.
 // New edges and facets are not among the old ones, so the complex keeps its topology. That it does
 // not cross itself, and that each region keeps its body, is asked once, in the end
-// (bodies/sheet_faults.h); where it fails the sheets are coarsened again, and keep their vertices
-// near the faults.
+// (more/bodies/sheet_faults.h); where it fails the sheets are coarsened again, and keep their
+// vertices near the faults.
 #pragma once
 
 #include "more/bodies/sheets.h"

@@ -196,7 +196,11 @@ class SheetRefiner {
 
 void refine_sheets(Sheets& sheets, const SheetScope& scope, Report& report) {
   Sheets refined = SheetRefiner(sheets, scope, report).run();
-  if (sheet_faults(refined, CutSheets(refined), scope.box).empty()) sheets = std::move(refined);
+  if (sheet_faults(refined, CutSheets(refined), scope.box).empty()) {
+    sheets = std::move(refined);
+  } else {
+    report[Counter::unrefined_facets] += sheets.free_facets;
+  }
 }
 
 }  // namespace deliso

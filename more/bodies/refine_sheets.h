@@ -11,7 +11,8 @@
 namespace deliso {
 
 // Refines the free facets in place; new points come last, and none outside the scope's box. Sheets
-// on the box are flat, and stay.
+// on the box are flat, and stay. If the result has faults (more/bodies/sheet_faults.h) all stays,
+// and is counted as unrefined.
 void refine_sheets(Sheets& sheets, const SheetScope& scope, Report& report);
 
 }  // namespace deliso
