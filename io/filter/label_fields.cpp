@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "base/check.h"
+#include "base/elementary.h"
 #include "base/parallel.h"
 #include "io/filter/gaussian.h"
 #include "io/filter/median.h"
@@ -175,6 +178,27 @@ double balanced_weight(const Volume& own, const Volume& others, const Volume& ma
   return std::clamp((1 - level) / level, 1 / kLargestWeight, kLargestWeight);
 }
 
+// A label that has less than this share of its border with larger ones is weighed against all. With
+// the tails of the Gaussians of two labels that hardly meet, cells that fill a block had weights
+// from .0002 to 1.1 and volumes off by up to 44 %; now from .97 to 1.4 and 1.8 %. Shares of .05 to
+// .4 did the same on 60 cells of 48^3 samples and 191 of 64^3.
+constexpr double kFewLarger = 0.05;
+
+// Returns how much of a label's border is with others, whose indicators have this sum.
+double share_of_border(const Volume& own, const Volume& sum) {
+  double shared = 0, border = 0;
+  own.visit([&](const auto* s) {
+    sum.visit([&](const auto* others) {
+      for (std::size_t n = 0; n < own.sample_count(); ++n) {
+        const double s_n = static_cast<double>(s[n]);
+        shared += s_n * static_cast<double>(others[n]);
+        border += s_n * (1 - s_n);
+      }
+    });
+  });
+  return border > 0 ? shared / border : 1;
+}
+
 }  // namespace
 
 LabelFields::LabelFields(const Volume& volume, std::vector<LabelSamples> found,
@@ -242,17 +266,19 @@ std::vector<LabelSamples> LabelFields::near(std::size_t n) const {
   return found;
 }
 
-LabelFields::Rivals LabelFields::rivals(std::size_t n, bool only_larger) const {
+LabelFields::Rivals LabelFields::rivals(std::size_t n, Others others) const {
   const SampleExtent own_box = box(labels_[n], 1), reached = box(labels_[n], 2);
   Volume own = smoothed(n, own_box);
-  std::vector<float> largest(own.sample_count()), sum(only_larger ? own.sample_count() : 0);
+  std::vector<float> largest(own.sample_count()),
+      sum(others == Others::all ? 0 : own.sample_count());
   for (const LabelSamples& other : near(n)) {
     const std::size_t m = index_of(other.label);
-    if (m == n || (only_larger && !is_larger(m, n))) continue;
+    if (m == n || (others == Others::larger && !is_larger(m, n))) continue;
     const SampleExtent from = common(reached, box(other, 1)), both = common(from, own_box);
     if (both.dims().i <= 0 || both.dims().j <= 0 || both.dims().k <= 0) continue;
     const Volume s = smoothed(m, from);
-    const double weight = labels_[m].weight;
+    const bool is_guess = others == Others::guessed && !is_larger(m, n);
+    const double weight = is_guess ? weight_of_ball(m) : labels_[m].weight;
     s.visit([&](const auto* values) {
       for_each_task(threads_, static_cast<std::size_t>(both.dims().k), [&](std::size_t slice) {
         const int k = both.first.k + static_cast<int>(slice);
@@ -264,16 +290,24 @@ LabelFields::Rivals LabelFields::rivals(std::size_t n, bool only_larger) const {
           for (std::size_t i = 0; i < static_cast<std::size_t>(both.dims().i); ++i) {
             const auto weighted = static_cast<float>(weight * static_cast<double>(row[i]));
             largest[at + i] = std::max(largest[at + i], weighted);
-            if (only_larger) sum[at + i] += static_cast<float>(row[i]);
+            if (!sum.empty()) sum[at + i] += static_cast<float>(row[i]);
           }
         }
       });
     });
   }
-  if (!only_larger) sum = {};
-  Volume others = volume_of(std::move(largest), own);
-  Volume mass = only_larger ? volume_of(std::move(sum), own) : others;
-  return {own_box, std::move(own), std::move(others), std::move(mass)};
+  Volume most = volume_of(std::move(largest), own);
+  Volume mass = sum.empty() ? most : volume_of(std::move(sum), own);
+  return {own_box, std::move(own), std::move(most), std::move(mass)};
+}
+
+// Returns the weight at which a ball with the samples of label n keeps its volume, to first order:
+// a Gaussian lowers the indicator at the surface of a ball of radius R by sigma / (R sqrt(2 pi)).
+double LabelFields::weight_of_ball(std::size_t n) const {
+  const double ball = 3 * static_cast<double>(labels_[n].samples) / (4 * std::numbers::pi);
+  const Vec3& sigma = filter_.sigma;
+  const double curvature = cube_root(sigma.x * sigma.y * sigma.z / ball);
+  return 1 + 4 / std::sqrt(2 * std::numbers::pi) * curvature;
 }
 
 // Gives weights to the wanted labels.
@@ -293,7 +327,8 @@ void LabelFields::weigh(std::vector<std::uint8_t> wanted) {
   }
   for (const std::size_t n : order) {
     if (wanted[n] == 0 || labels_[n].weight > 0) continue;
-    const Rivals of = rivals(n, true);
+    Rivals of = rivals(n, Others::larger);
+    if (share_of_border(of.own, of.sum) < kFewLarger) of = rivals(n, Others::guessed);
     labels_[n].weight = balanced_weight(of.own, of.largest, of.sum, threads_);
   }
 }
@@ -316,7 +351,7 @@ Volume LabelFields::field(std::int64_t label) {
   std::vector<std::uint8_t> wanted(labels_.size());
   for (const LabelSamples& other : near(n)) wanted[index_of(other.label)] = 1;
   weigh(std::move(wanted));
-  const Rivals of = rivals(n, false);
+  const Rivals of = rivals(n, Others::all);
   std::vector<float> samples(of.own.sample_count());
   of.own.visit([&](const auto* s) {
     of.largest.visit([&](const auto* others) {

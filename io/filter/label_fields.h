@@ -12,8 +12,11 @@
 // The weights keep the volumes: with equal ones a Gaussian moves a surface towards its centers of
 // curvature, and thin labels vanish. The largest label has weight 1; the others follow by size.
 // Each has the weight at which it takes as much space from the larger labels as it leaves to them.
-// Smaller labels are not asked: their share of a point, s_M, belongs to neither side. Where only
-// two labels meet, w_L s_L = w_M s_M is s_L = w_M / (w_L + w_M), an isovalue of the indicator.
+// Smaller labels are not asked: their share of a point, s_M, belongs to neither side. But a label
+// that hardly meets larger ones is weighed against all others, where the smaller ones count with
+// the weight of a ball. So cells that fill a block without a background keep their volumes, too.
+// Where only two labels meet, w_L s_L = w_M s_M is s_L = w_M / (w_L + w_M), an isovalue of the
+// indicator.
 #pragma once
 
 #include <cstdint>
@@ -55,13 +58,17 @@ class LabelFields {
 
  private:
   struct Rivals;
+  // The labels that are compared with one: all, with their weights; the larger ones; or all, where
+  // smaller ones have the weight of a ball.
+  enum class Others : std::uint8_t { all, larger, guessed };
 
   std::size_t index_of(std::int64_t label) const;
   bool is_larger(std::size_t m, std::size_t n) const;
   SampleExtent box(const LabelSamples& of, int times) const;
   Volume smoothed(std::size_t n, const SampleExtent& box) const;
   std::vector<LabelSamples> near(std::size_t n) const;
-  Rivals rivals(std::size_t n, bool only_larger) const;
+  Rivals rivals(std::size_t n, Others others) const;
+  double weight_of_ball(std::size_t n) const;
   void weigh(std::vector<std::uint8_t> wanted);
 
   Volume volume_;
