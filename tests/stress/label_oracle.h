@@ -591,7 +591,7 @@ inline std::string complex_fault(const Partition& partition, const LabelOracle& 
     for (const auto& facet : complex.sheets.facets) {
       std::array<std::uint64_t, 3> at;
       for (std::size_t i = 0; i < 3; ++i) at[i] = complex.simplex[facet.v[i]];
-      std::ranges::rotate(at, std::ranges::min_element(at));
+      std::rotate(at.begin(), std::ranges::min_element(at), at.end());
       if (!found.insert({at, facet.bodies}).second) return false;
     }
     return true;
