@@ -196,12 +196,12 @@ InterfaceMesh mesh_near_count(const Partition& partition, const Options& options
     Report made;
     InterfaceMesh mesh = Builder(partition, one, made).run();
     const double now = share(made);
-    if ((now <= 1 && now > best) || (now > 1 && best == 0)) {
+    if (run == 0 || (now <= 1 && now > best) || (now > 1 && best == 0)) {
       found = std::move(mesh);
       report = made;
       if (now <= 1) best = now;
     }
-    if (now > 1 && bound == kMostVoxels) break;
+    if (now == 0 || (now > 1 && bound == kMostVoxels)) break;
     (now > 1 ? least : most) = bound;
     // The number falls about as the bound grows.
     bound *= now;

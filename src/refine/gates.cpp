@@ -71,7 +71,7 @@ bool Refinement::keeps_manifold(Replacement& c) {
       const std::uint32_t g = in.across[f][i];
       if (g == Disk::kNone || g < f) continue;
       const VertexId a = in.facets[f][(i + 1) % 3], b = in.facets[f][(i + 2) % 3];
-      if (joins_on_seam(a, b) || is_joined_outside(a, b, c) || !frozen_at(a, b).empty()) {
+      if (joins_on_seam(a, b) || is_joined_outside(a, b, c) || is_joined_on_curves(a, b)) {
         return false;
       }
     }
@@ -95,6 +95,16 @@ bool Refinement::is_joined_outside(VertexId a, VertexId b, const Replacement& c)
   facets_around(mesh, *start, a, star_);
   return std::ranges::any_of(
       star_, [&](FaceId f) { return !is_in_cavity(f) && has_corner(mesh.faces[f].v, b); });
+}
+
+// A vertex where several sheets end may have facets that no walk around it in one sheet meets.
+bool Refinement::is_joined_on_curves(VertexId a, VertexId b) const {
+  if (frozen_sides_.empty() || !s.chain.is_boundary(a) || !s.chain.is_boundary(b)) return false;
+  return facets_.any(facets_.box_of(std::array{point(a), point(b)}),
+                     [&](FaceId f, const BoxGrid::Box&) {
+                       const Triangle& v = mesh.faces[f].v;
+                       return !is_in_cavity(f) && has_corner(v, a) && has_corner(v, b);
+                     });
 }
 
 std::span<const Refinement::FrozenSide> Refinement::frozen_at(VertexId a, VertexId b) const {

@@ -161,6 +161,7 @@ class Refinement {
     VertexId apex;
   };
   std::span<const FrozenSide> frozen_at(VertexId a, VertexId b) const;
+  bool is_joined_on_curves(VertexId a, VertexId b) const;
   bool passes_sheet(const Replacement& c) const;
   // True if an edge between them would lie in an inner face of the block: only the seam does.
   bool joins_on_seam(VertexId a, VertexId b) const;
