@@ -393,7 +393,7 @@ inline std::optional<Met> first_met(const std::vector<Vec3>& points,
 // component among them, it looks for the next one in front and behind.
 inline std::string sides_fault(const std::vector<Vec3>& points,
                                std::span<const InterfaceFacet> facets) {
-  constexpr std::size_t kPairs = 2'000'000;
+  constexpr std::size_t kPairs = 100'000;
   DisjointSets joined(points.size());
   for (const InterfaceFacet& facet : facets) {
     joined.unite(facet.v[0], facet.v[1]);
@@ -514,6 +514,10 @@ inline std::map<std::array<BodyId, 2>, SheetCounts> sheet_counts(
 // Returns what is wrong with a mesh of the borders; empty if nothing is.
 inline std::string mesh_fault(const Partition& partition, const LabelOracle& oracle,
                               const InterfaceMesh& mesh, bool cap) {
+  if (!has_largest_bodies(partition)) return "a sample is in another body than its fields say";
+  if (mesh.exact.size() != partition.size() || mesh.topology.size() != partition.size()) {
+    return text("the topology is told of ", mesh.exact.size(), " bodies");
+  }
   std::string fault = borders_fault(partition, oracle, mesh.points, mesh.facets, cap);
   if (!fault.empty()) return fault;
   const Borders borders =
@@ -587,7 +591,7 @@ inline std::string complex_fault(const Partition& partition, const LabelOracle& 
     for (const auto& facet : complex.sheets.facets) {
       std::array<std::uint64_t, 3> at;
       for (std::size_t i = 0; i < 3; ++i) at[i] = complex.simplex[facet.v[i]];
-      std::ranges::rotate(at, std::ranges::min_element(at));
+      std::rotate(at.begin(), std::ranges::min_element(at), at.end());
       if (!found.insert({at, facet.bodies}).second) return false;
     }
     return true;
