@@ -13,11 +13,30 @@ using namespace deliso;
 using namespace deliso::stress;
 
 TEST_CASE("T_L bounds each label by a manifold with the topology of its subcomplex") {
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);
     const Partition partition = partition_of(make_label_volume(seed, 6));
     const int axis = static_cast<int>(seed % 3);
     const int cut = partition.shape().voxels()[axis] / 2;
     CHECK(complex_fault(partition, LabelOracle(partition), axis, cut) == "");
+  }
+}
+
+TEST_CASE("the mesh has the topology of T_L for each label and each sheet, in any threads") {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    const Partition partition = partition_of(make_label_volume(seed, 6));
+    Options options;
+    options.cap = seed % 2 == 0;
+    if (seed % 3 == 0) options.block_side = 4;
+    const auto meshed = [&](int threads) {
+      options.threads = threads;
+      Report report;
+      return mesh_interfaces(partition, options, report);
+    };
+    const InterfaceMesh mesh = meshed(1), again = meshed(3);
+    CHECK(mesh_fault(partition, LabelOracle(partition), mesh, options.cap) == "");
+    CHECK(again.points == mesh.points);
+    CHECK(again.facets == mesh.facets);
   }
 }
