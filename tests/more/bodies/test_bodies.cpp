@@ -73,6 +73,10 @@ TEST_CASE("bodies that touch are closed manifolds with common facets, and no fac
   const InterfaceMesh mesh = mesh_interfaces(partition, options_with(2, false), report);
   std::vector<Triangle> all;
   std::map<std::array<BodyId, 2>, int> facets;
+  std::map<VertexId, std::set<BodyId>> at;
+  for (const auto& [v, bodies] : mesh.facets) {
+    for (const VertexId corner : v) at[corner].insert(bodies.begin(), bodies.end());
+  }
   for (const auto& [v, bodies] : mesh.facets) {
     all.push_back(v);
     ++facets[bodies];
@@ -81,7 +85,8 @@ TEST_CASE("bodies that touch are closed manifolds with common facets, and no fac
       const double off = bodies == std::array<BodyId, 2>{2, 1}
                              ? std::fabs(p.x - 15.5)
                              : std::fabs(distance(p, kCenters[bodies[1] - 1]) - kRadius);
-      CHECK(off < 0.3);
+      // A curve's vertices stay near the tetrahedra in which its samples say that it is.
+      CHECK(off < (at[corner].size() == 2 ? 0.15 : 0.5));
     }
   }
   REQUIRE(facets.size() == 3);
@@ -137,11 +142,11 @@ TEST_CASE("cells up to the box are closed with the box's own corners and faces")
 
 TEST_CASE("a number of vertices is met from below, caps left out") {
   Options options = options_with(2, true);
-  options.target_vertices = 120;
+  options.target_vertices = 250;
   Report report;
   const InterfaceMesh mesh = mesh_interfaces(quarters(), options, report);
-  CHECK(report.vertices_refined <= 120);
-  CHECK(report.vertices_refined > 90);
+  CHECK(report.vertices_refined <= 250);
+  CHECK(report.vertices_refined > 200);
   CHECK(mesh.points.size() > report.vertices_refined);
   options.target_vertices = Options::kNoTarget;
   options.max_vertices = 20;
