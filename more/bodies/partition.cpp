@@ -103,8 +103,8 @@ Volume Partition::difference(std::array<BodyId, 2> bodies, const SampleBox& box)
   const Index3 n = of.dims();
   std::vector<float> samples(static_cast<std::size_t>(n.i) * static_cast<std::size_t>(n.j) *
                              static_cast<std::size_t>(n.k));
-  for (const auto& [body, sign] : {std::pair{behind, 1.0F}, std::pair{in_front, -1.0F}}) {
-    const Volume& f = fields_[body];
+  for (const float sign : {1.0F, -1.0F}) {
+    const Volume& f = fields_[sign > 0 ? behind : in_front];
     const Index3 first = f.first();
     Index3 lo, hi;  // of the samples in both
     for (int axis = 0; axis < 3; ++axis) {

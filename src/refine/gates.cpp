@@ -109,9 +109,9 @@ bool Refinement::is_joined_on_curves(VertexId a, VertexId b) const {
 
 std::span<const Refinement::FrozenSide> Refinement::frozen_at(VertexId a, VertexId b) const {
   if (!s.chain.is_boundary(a) || !s.chain.is_boundary(b)) return {};
-  const auto [first, last] =
-      std::ranges::equal_range(frozen_sides_, std::pair{std::min(a, b), std::max(a, b)}, {},
-                               [](const FrozenSide& side) { return side.edge; });
+  const std::pair edge{std::min(a, b), std::max(a, b)};
+  const auto first = std::ranges::lower_bound(frozen_sides_, edge, {}, &FrozenSide::edge);
+  const auto last = std::ranges::upper_bound(frozen_sides_, edge, {}, &FrozenSide::edge);
   return {first, last};
 }
 
@@ -121,14 +121,15 @@ bool Refinement::passes_sheet(const Replacement& c) const {
   if (frozen_sides_.empty()) return false;
   for (std::size_t k = 0; k < c.in().boundary.size(); ++k) {
     if (c.across()[k] != kNoId) continue;
-    const auto [a, b, facet, side] = c.in().boundary[k];
+    const Disk::BoundaryEdge& edge = c.in().boundary[k];
+    const VertexId a = edge.from, b = edge.to;
     const std::span<const FrozenSide> others = frozen_at(a, b);
     if (others.size() != 2) continue;
     const auto old = std::ranges::find_if(
         c.cavity.disk.boundary, [&](const auto& edge) { return edge.from == a && edge.to == b; });
     if (old == c.cavity.disk.boundary.end()) continue;
     const Vec3 &x = point(others[0].apex), &y = point(others[1].apex);
-    const Vec3& now = point(c.in().facets[facet][side]);
+    const Vec3& now = point(c.in().facets[edge.facet][edge.side]);
     const Vec3 before = point_before(c, c.cavity.disk.facets[old->facet][old->side]);
     const auto sharpest = [&](const Vec3& p) {
       return std::max(cosine_of_pages(point(a), point(b), x, p),
