@@ -6,7 +6,7 @@
 // If facets have labels on their sides, each pair of labels has a marker of its own, which a table
 // in the comment explains, and the list of regions has a point in each with its label.
 #include <algorithm>
-#include <compare>
+#include <tuple>
 
 #include "base/sorted_list.h"
 #include "base/text.h"
@@ -21,7 +21,10 @@ namespace {
 struct Kind {
   bool is_cap;  // these come last
   std::array<std::int32_t, 2> labels{};
-  auto operator<=>(const Kind&) const = default;
+  friend bool operator<(const Kind& a, const Kind& b) {
+    return std::tie(a.is_cap, a.labels) < std::tie(b.is_cap, b.labels);
+  }
+  friend bool operator==(const Kind&, const Kind&) = default;
 };
 
 Kind kind_of(const MeshWriteOptions& options, std::size_t f) {
@@ -86,7 +89,7 @@ void write_tetgen(AtomicFile& out, const WorldMesh& mesh, bool as_poly) {
   out.write("1\n");  // facets have markers
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const Triangle t = mesh.triangle(f);
-    const auto kind = std::ranges::lower_bound(kinds, kind_of(mesh.options(), f));
+    const auto kind = std::lower_bound(kinds.begin(), kinds.end(), kind_of(mesh.options(), f));
     const auto marker = kind - kinds.begin() + 1;
     if (as_poly) {
       out.write("1 0 ");

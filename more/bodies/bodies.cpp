@@ -221,6 +221,7 @@ TriMesh InterfaceMesh::mesh_of(BodyId body) const {
   }
   sort_unique(used);
   std::vector<Vec3> kept;
+  kept.reserve(used.size());
   for (const VertexId v : used) kept.push_back(points[v]);
   std::vector<Triangle> triangles;
   for (const InterfaceFacet& f : facets) {

@@ -218,7 +218,7 @@ class SheetCoarsener {
                                     box_faces_at(point(b), scope_.box) & scope_.inner_faces) != 0) {
       return false;
     }
-    added_.push_back({a, b});
+    added_.emplace_back(a, b);
     return true;
   }
   const Vec3& point(VertexId v) const { return mesh_.points[first_[v]]; }

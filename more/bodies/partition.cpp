@@ -93,9 +93,9 @@ Volume Partition::difference(std::array<BodyId, 2> bodies, const SampleBox& box)
       of.end[axis] = shape_.dims()[axis] - 1;
       of.begin[axis] = of.end[axis] - 1;
     }
-    std::vector<float> samples;
-    for (int m = 0; m < 8; ++m) {
-      samples.push_back(((m >> axis & 1) != 0) == is_high ? -kWithin : 1 - kWithin);
+    std::vector<float> samples(8, 1 - kWithin);
+    for (unsigned m = 0; m < 8; ++m) {
+      if (((m >> axis & 1) != 0) == is_high) samples[m] = -kWithin;
     }
     return Volume::from_samples({2, 2, 2}, shape_.spacing(), samples, shape_.frame())
         .as_block(of.begin, shape_.dims());

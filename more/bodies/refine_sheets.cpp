@@ -89,7 +89,7 @@ class SheetRefiner {
       points_[vertices[v]] = s.mesh.points[VertexId(v)];
     }
     for (std::size_t v = vertices.size(); v < s.mesh.points.size(); ++v) {
-      vertices.push_back(VertexId(points_.size()));
+      vertices.emplace_back(points_.size());
       points_.push_back(s.mesh.points[VertexId(v)]);
     }
     own.free.clear();

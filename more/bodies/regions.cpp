@@ -43,7 +43,7 @@ void put_back(Region& region, Sheets& all) {
     if (v < known) {
       all.points[region.vertices[v]] = region.sheets.points[v];
     } else {
-      region.vertices.push_back(VertexId(all.points.size()));
+      region.vertices.emplace_back(all.points.size());
       all.points.push_back(region.sheets.points[v]);
     }
   }

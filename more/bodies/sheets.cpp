@@ -47,7 +47,7 @@ CutSheets::CutSheets(const Sheets& from) {
   for (FaceId f = 0; f < facets; ++f) {
     Face& face = mesh.faces[f];
     for (std::size_t i = 0; i < 3; ++i) {
-      const VertexId v = face.v[i], c(copy[3 * f.number() + i]);
+      const VertexId v = face.v[i], c(copy[3 * std::size_t{f.number()} + i]);
       face.v[i] = c;
       if (c < vertex.size()) continue;
       vertex.push_back(v);

@@ -125,8 +125,9 @@ bool Refinement::passes_sheet(const Replacement& c) const {
     const VertexId a = edge.from, b = edge.to;
     const std::span<const FrozenSide> others = frozen_at(a, b);
     if (others.size() != 2) continue;
-    const auto old = std::ranges::find_if(
-        c.cavity.disk.boundary, [&](const auto& edge) { return edge.from == a && edge.to == b; });
+    const auto old = std::ranges::find_if(c.cavity.disk.boundary, [&](const auto& other) {
+      return other.from == a && other.to == b;
+    });
     if (old == c.cavity.disk.boundary.end()) continue;
     const Vec3 &x = point(others[0].apex), &y = point(others[1].apex);
     const Vec3& now = point(c.in().facets[edge.facet][edge.side]);
