@@ -215,23 +215,18 @@ InterfaceMesh mesh_near_count(const Partition& partition, const Options& options
 }  // namespace
 
 TriMesh InterfaceMesh::mesh_of(BodyId body) const {
-  std::vector<VertexId> used;
-  for (const InterfaceFacet& f : facets) {
-    if (f.bodies[0] == body || f.bodies[1] == body) used.insert(used.end(), f.v.begin(), f.v.end());
-  }
-  sort_unique(used);
-  std::vector<Vec3> kept;
-  kept.reserve(used.size());
-  for (const VertexId v : used) kept.push_back(points[v]);
-  std::vector<Triangle> triangles;
-  for (const InterfaceFacet& f : facets) {
+  std::vector<InterfaceFacet> own;
+  for (InterfaceFacet f : facets) {
     if (f.bodies[0] != body && f.bodies[1] != body) continue;
-    Triangle t = f.v;
-    if (f.bodies[0] == body) std::swap(t[1], t[2]);
-    for (VertexId& v : t) v = VertexId(std::ranges::lower_bound(used, v) - used.begin());
-    triangles.push_back(t);
+    if (f.bodies[0] == body) std::swap(f.v[1], f.v[2]);
+    own.push_back(f);
   }
-  return make_tri_mesh(std::move(kept), triangles);
+  std::vector<Vec3> used;
+  for (const VertexId v : number_vertices(own)) used.push_back(points[v]);
+  std::vector<Triangle> triangles;
+  triangles.reserve(own.size());
+  for (const InterfaceFacet& f : own) triangles.push_back(f.v);
+  return make_tri_mesh(std::move(used), triangles);
 }
 
 InterfaceMesh mesh_interfaces(const Partition& partition, const Options& options, Report& report) {

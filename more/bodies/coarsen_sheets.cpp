@@ -12,6 +12,7 @@
 #include "base/disjoint_sets.h"
 #include "base/sorted_list.h"
 #include "base/stopwatch.h"
+#include "coarsen/waiting_vertices.h"
 #include "embedding/pages.h"
 #include "more/bodies/borders.h"
 #include "more/bodies/sheet_faults.h"
@@ -21,10 +22,10 @@
 namespace deliso {
 namespace {
 
-// As in coarsen/coarsener.cpp: rounds of moves and flips, passes of removals and when they end, the
-// least move, and the sharpest star in which a vertex moves.
-constexpr int kRounds = 2, kMostPasses = 30;
-constexpr double kLeastShare = 0.01, kLeastMove = 0.1, kSharpCosine = 0.7;
+// As in coarsen/coarsener.cpp: rounds of moves and flips, the least move, and the sharpest star in
+// which a vertex moves.
+constexpr int kRounds = 2;
+constexpr double kLeastMove = 0.1, kSharpCosine = 0.7;
 
 // Furthest that a vertex on a curve, when it goes, lies from the chord between its neighbors, as a
 // share of the chord. T_L has zigzags that the fields have not.
@@ -59,8 +60,7 @@ class SheetCoarsener {
         searches_(searches),
         first_(kept.size(), kNoId),
         is_active_(kept.size(), 0),
-        waits_(kept.size(), 0),
-        refused_(kept.size(), {kNoId, kNoId, kNoId}) {
+        waiting_(kept.size()) {
     for (VertexId c = 0; c < cut_.vertex.size(); ++c) {
       if (first_[vertex(c)] == kNoId) first_[vertex(c)] = c;
     }
@@ -106,44 +106,24 @@ class SheetCoarsener {
   }
 
   void remove_vertices() {
-    IdArray<VertexId, std::int8_t> changed_in(kept_.size(), -1);
-    std::size_t left = 0;
-    for (std::int8_t pass = 0; pass < kMostPasses; ++pass) {
-      const std::vector<VertexId> todo = std::exchange(waiting_, {});
-      left = std::max(left, todo.size());
-      std::size_t removed = 0;
-      for (const VertexId v : todo) {
-        if (changed_in[v] == pass) {
-          waiting_.push_back(v);
-          continue;
-        }
-        waits_[v] = 0;
-        if (!remove(v)) continue;
-        ++removed;
-        for (std::size_t n = 0; n < pages_; ++n) {
-          for (int k = 0; k < page_[n].ring.size; ++k) {
-            const VertexId w = vertex(page_[n].ring.vertex[k]);
-            changed_in[w] = pass;
-            is_active_[w] = 1;
-            wake(w, v);
-          }
-        }
-      }
-      left -= removed;
-      if (removed == 0 || static_cast<double>(removed) < kLeastShare * static_cast<double>(left)) {
-        return;
-      }
-    }
+    waiting_.pass([&](VertexId v) { return remove(v); },
+                  [&](VertexId v, auto&& visit) {
+                    for_each_neighbor([&](VertexId w) {
+                      visit(w);
+                      is_active_[w] = 1;
+                      wake(w, v);
+                    });
+                  });
   }
-
-  // Lets v wait for a try, as `changed`, v or a neighbor, is new, gone or elsewhere; not if the
-  // facet that v was refused for has its corners still.
   void wake(VertexId v, VertexId changed) {
-    Triangle& refused = refused_[v];
-    if (refused[0] != kNoId && !has_corner(refused, changed)) return;
-    refused[0] = kNoId;
-    if (kept_[v] != 0 || first_[v] == kNoId || std::exchange(waits_[v], 1) != 0) return;
-    waiting_.push_back(v);
+    waiting_.wake(v, changed, kept_[v] == 0 && first_[v] != kNoId);
+  }
+  // Calls visit(w) for the neighbors of the vertex walked around last, on curves more than once.
+  template <class Visit>
+  void for_each_neighbor(Visit&& visit) const {
+    for (std::size_t n = 0; n < pages_; ++n) {
+      for (int k = 0; k < page_[n].ring.size; ++k) visit(vertex(page_[n].ring.vertex[k]));
+    }
   }
 
   // Walks around the copies of v. False if one has too many neighbors, or its facets are none.
@@ -183,9 +163,10 @@ class SheetCoarsener {
       if (page.ring.size < 3) return false;
       page.ring.project();
       if (!page.hole.fill(page.ring, test(page))) {
-        for (std::size_t s = 0; s < 3 && !is_on_curve; ++s) {
-          refused_[v][s] = vertex(page.ring.vertex[page.hole.tried()[s]]);
-        }
+        if (is_on_curve) return false;
+        const auto [r, s, t] = page.hole.tried();
+        const auto& corner = page.ring.vertex;
+        waiting_.refuse(v, {vertex(corner[r]), vertex(corner[s]), vertex(corner[t])});
         return false;
       }
     }
@@ -203,7 +184,10 @@ class SheetCoarsener {
       if (spoils_ring(page_[n], v)) return false;
     }
     if (is_on_curve && spoils_chord(v)) return false;
-    for (std::size_t n = 0; n < pages_; ++n) replace(page_[n]);
+    for (std::size_t n = 0; n < pages_; ++n) {
+      replace_star(mesh_, cut_.facet, page_[n].ring, page_[n].hole);
+      cut_.facet[page_[n].copy] = kNoId;
+    }
     first_[v] = kNoId;
     return true;
   }
@@ -226,39 +210,24 @@ class SheetCoarsener {
   }
   const Vec3& point(VertexId v) const { return mesh_.points[first_[v]]; }
 
-  // Calls visit(facet) for the facets at v until it returns false. Returns whether none did.
+  // Calls visit(facet) for the facets at v until it returns true. Returns whether one did.
   template <class Visit>
-  bool for_each_facet(VertexId v, Visit&& visit) const {
-    return for_each_copy(v, [&](VertexId c) {
-      const FaceId start = cut_.facet[c];
-      FaceId f = start;
-      do {
-        const Face& face = mesh_.faces[f];
-        if (!visit(face)) return false;
-        f = face.n[kNextCorner[corner_index(face, c)]];
-      } while (f != start && f != kNoId);
-      if (f == start) return true;
-      f = start;
-      while (true) {  // the other way, from the curve
-        const FaceId g = mesh_.faces[f].n[kPreviousCorner[corner_index(mesh_.faces[f], c)]];
-        if (g == kNoId) return true;
-        if (!visit(mesh_.faces[g])) return false;
-        f = g;
-      }
-    });
+  bool any_facet(VertexId v, Visit&& visit) const {
+    return !for_each_copy(
+        v, [&](VertexId c) { return !any_facet_at(mesh_, cut_.facet[c], c, visit); });
   }
   bool has_vertex(const Face& face, VertexId v) const {
     return vertex(face.v[0]) == v || vertex(face.v[1]) == v || vertex(face.v[2]) == v;
   }
   bool joined(VertexId a, VertexId b) const {
-    return !for_each_facet(a, [&](const Face& face) { return !has_vertex(face, b); });
+    return any_facet(a, [&](const Face& face) { return has_vertex(face, b); });
   }
   // True if the facet of the ring of v, which has three vertices, is there already.
   bool has_facet(VertexId v, const Ring& ring) const {
     const VertexId a = vertex(ring.vertex[0]), b = vertex(ring.vertex[1]),
                    c = vertex(ring.vertex[2]);
-    return !for_each_facet(a, [&](const Face& face) {
-      return has_vertex(face, v) || !has_vertex(face, b) || !has_vertex(face, c);
+    return any_facet(a, [&](const Face& face) {
+      return !has_vertex(face, v) && has_vertex(face, b) && has_vertex(face, c);
     });
   }
 
@@ -287,14 +256,13 @@ class SheetCoarsener {
     std::array<Vec3, 2> apex;
     std::size_t found = 0;
     const auto take = [&](const Face& face) {
-      if (!has_vertex(face, vertex(b)) || has_vertex(face, v) || found == 2) return true;
+      if (!has_vertex(face, vertex(b)) || has_vertex(face, v)) return false;
       for (const VertexId c : face.v) {
         if (vertex(c) != vertex(a) && vertex(c) != vertex(b)) apex[found] = mesh_.points[c];
       }
-      ++found;
-      return true;
+      return ++found == apex.size();
     };
-    across == kNoId ? for_each_facet(vertex(a), take) : take(mesh_.faces[across]);
+    across == kNoId ? any_facet(vertex(a), take) : take(mesh_.faces[across]);
     for (std::size_t n = 0; n < found; ++n) {
       const double after = cosine_of_pages(p, q, apex[n], to);
       if (after > kSharpestPages && after > cosine_of_pages(p, q, apex[n], from)) return true;
@@ -420,33 +388,6 @@ class SheetCoarsener {
            after <= std::max(distance_to(at, a, p), distance_to(at, p, b));
   }
 
-  void replace(const Page& page) {
-    const Ring& ring = page.ring;
-    const Hole& hole = page.hole;
-    IdArray<FaceId, Face>& faces = mesh_.faces;
-    std::array<FaceId, Ring::kMost> inside;  // the new facets at the ring's edges
-    for (int n = 0; n < hole.size(); ++n) {
-      const Hole::Facet& facet = hole.facet(n);
-      Face& face = faces[ring.star[n]];
-      for (std::size_t s = 0; s < 3; ++s) {
-        face.v[s] = ring.vertex[facet.corner[s]];
-        cut_.facet[face.v[s]] = ring.star[n];
-        const int across = facet.across[s];
-        face.n[s] = across >= 0 ? ring.star[across] : ring.outer[~across];
-        if (across < 0) inside[~across] = ring.star[n];
-      }
-    }
-    for (int k = 0; k < ring.facets; ++k) {
-      if (ring.outer[k] == kNoId) continue;
-      Face& outside = faces[ring.outer[k]];
-      outside.n[kNextCorner[corner_index(outside, ring.vertex[k])]] = inside[k];
-    }
-    for (int k = hole.size(); k < ring.facets; ++k) {
-      faces[ring.star[k]] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
-    }
-    cut_.facet[page.copy] = kNoId;
-  }
-
   // Moves the vertices on curves to where their fields are equal.
   void straighten_curves() {
     for (VertexId v = 0; v < kept_.size(); ++v) {
@@ -487,11 +428,9 @@ class SheetCoarsener {
     }
     if (spoils(v, to)) return false;
     for (std::size_t n = 0; n < pages_; ++n) mesh_.points[page_[n].copy] = to;
-    refused_[v][0] = kNoId;
+    waiting_.forget_refusal(v);
     wake(v, v);
-    for (std::size_t n = 0; n < pages_; ++n) {
-      for (int k = 0; k < page_[n].ring.size; ++k) wake(vertex(page_[n].ring.vertex[k]), v);
-    }
+    for_each_neighbor([&](VertexId w) { wake(w, v); });
     return true;
   }
 
@@ -554,8 +493,9 @@ class SheetCoarsener {
     const double size = distance(to, from);
     if (size < kLeastMove * scope_.distance) return std::nullopt;
     if (size > reach) to = from + reach / size * (to - from);
-    if (is_corner)
+    if (is_corner) {
       return size <= kFarthestCorner * scope_.parameters.voxel ? std::optional(to) : std::nullopt;
+    }
     const Vec3 &a = point(ends_[0]), &b = point(ends_[1]);
     const auto off = [&](const Vec3& p) {
       return std::max(distance_to(at, 0.5 * (a + p)), distance_to(at, 0.5 * (p + b)));
@@ -580,8 +520,8 @@ class SheetCoarsener {
   bool is_free(FaceId f) const { return f < free_facets_; }
 
   void flip(FaceId f, int i) {
-    IdArray<FaceId, Face>& faces = mesh_.faces;
-    const auto [first, g, a, b, c, d] = quad_at(mesh_, f, i);
+    const Quad q = quad_at(mesh_, f, i);
+    const VertexId a = q.a, b = q.b, c = q.c, d = q.d;
     const Vec3 &pa = mesh_.points[a], &pb = mesh_.points[b], &pc = mesh_.points[c],
                &pd = mesh_.points[d];
     const double at_a = dot(pb - pa, pc - pa), at_d = dot(pb - pd, pc - pd);
@@ -594,22 +534,12 @@ class SheetCoarsener {
         !test.holds(pd, pc, pa, n + m, worst2) || !add_edge(vertex(a), vertex(d))) {
       return;
     }
-    const FaceId ab = faces[f].n[(i + 2) % 3], ca = faces[f].n[(i + 1) % 3];
-    const FaceId bd = faces[g].n[corner_index(faces[g], c)],
-                 dc = faces[g].n[corner_index(faces[g], b)];
+    const auto [ab, bd, dc, ca] = sides_of(mesh_, q);
     if (spoils_edge(a, b, ab, vertex(c), pc, pd) || spoils_edge(c, a, ca, vertex(b), pb, pd) ||
         spoils_edge(d, b, bd, vertex(c), pc, pa) || spoils_edge(c, d, dc, vertex(b), pb, pa)) {
       return;
     }
-    const auto link = [&](FaceId out, VertexId from, FaceId to) {
-      if (out != kNoId) faces[out].n[kNextCorner[corner_index(faces[out], from)]] = to;
-    };
-    faces[f] = {{a, b, d}, {bd, g, ab}};
-    faces[g] = {{d, c, a}, {ca, f, dc}};
-    link(bd, b, f);
-    link(ca, c, g);
-    cut_.facet[a] = cut_.facet[b] = cut_.facet[d] = f;
-    cut_.facet[c] = g;
+    deliso::flip(mesh_, cut_.facet, q);
     wake(vertex(b), vertex(c));
     wake(vertex(c), vertex(b));
   }
@@ -624,9 +554,7 @@ class SheetCoarsener {
   IdArray<VertexId, VertexId> first_;  // copy of each vertex; kNoId: none
   // The vertex has a facet that is not done, or is near a change.
   IdArray<VertexId, std::uint8_t> is_active_;
-  IdArray<VertexId, std::uint8_t> waits_;  // the vertex is in waiting_
-  std::vector<VertexId> waiting_;          // for a try, in the order of changes
-  IdArray<VertexId, Triangle> refused_;    // the facet that was refused last; kNoId: none
+  WaitingVertices waiting_;  // for a try
   std::array<Page, kMostPages> page_;
   std::size_t pages_ = 0;
   std::array<VertexId, 2> ends_;
@@ -692,7 +620,6 @@ Sheets uncut(const CutSheets& cut, const Sheets& before,
              const IdArray<VertexId, std::uint8_t>& given) {
   Sheets sheets{before.points, {}, 0};
   for (FaceId f = 0; f < cut.mesh.faces.size(); ++f) {
-    if (f == before.free_facets) sheets.free_facets = sheets.facets.size();
     const Face& face = cut.mesh.faces[f];
     if (is_dead(face)) continue;
     SheetFacet facet{{}, cut.sheets[cut.sheet[f]], true};
@@ -702,8 +629,8 @@ Sheets uncut(const CutSheets& cut, const Sheets& before,
       sheets.points[facet.v[i]] = cut.mesh.points[face.v[i]];
     }
     sheets.facets.push_back(facet);
+    if (f < before.free_facets) ++sheets.free_facets;
   }
-  if (before.free_facets == before.facets.size()) sheets.free_facets = sheets.facets.size();
   return sheets;
 }
 

@@ -20,7 +20,7 @@ constexpr int kFirstTriangle = 7, kFirstTetrahedron = 19, kSampleItself = 25;
 constexpr int edge_number(int step) {
   return step - 1;
 }
-// One to the first axis of two steps: 2 * a + whether the second step is all axes or ...
+// Of a triangle, by its two steps.
 constexpr auto kTriangleNumbers = [] {
   std::array<std::array<int, 8>, 8> number{};
   int next = kFirstTriangle;
@@ -297,7 +297,8 @@ class Complex {
     return between(between(p[0], p[1], share[1] / (share[0] + share[1])), p[2], share[2] / total);
   }
 
-  // The facet v has corner `in_front` in front if `is_even`, else `behind`.
+  // Adds the facet v between two bodies: counter-clockwise seen from `up` if `is_up`, else from
+  // `down`.
   void add(Triangle v, bool is_up, BodyId up, BodyId down) {
     const std::array<BodyId, 2> order = partition_.in_order(up, down);
     if ((order[0] == up) != is_up) std::swap(v[1], v[2]);

@@ -6,7 +6,6 @@
 #include <memory>
 #include <utility>
 
-#include "base/sorted_list.h"
 #include "more/bodies/borders.h"
 #include "more/bodies/sheet_faults.h"
 #include "refine/refine.h"
@@ -70,20 +69,11 @@ class SheetRefiner {
   void refine(std::uint32_t sheet) {
     Part& own = parts_[sheet];
     SurfaceMesh s;
-    std::vector<VertexId> vertices;
     const FaceId frozen = add_frozen(sheet, s.mesh);
     for (const SheetFacet& f : own.free) s.mesh.faces.push_back({f.v, {kNoId, kNoId, kNoId}});
     link(own, frozen, s.mesh);
-    for (const Face& face : s.mesh.faces) {
-      vertices.insert(vertices.end(), face.v.begin(), face.v.end());
-    }
-    sort_unique(vertices);
+    std::vector<VertexId> vertices = number_vertices(s.mesh.faces);
     for (const VertexId v : vertices) s.mesh.points.push_back(points_[v]);
-    for (Face& face : s.mesh.faces) {
-      for (VertexId& v : face.v) {
-        v = VertexId(std::ranges::lower_bound(vertices, v) - vertices.begin());
-      }
-    }
     const std::vector<std::uint8_t> is_done = refine(sheet, s, frozen);
     for (std::size_t v = 0; v < vertices.size(); ++v) {
       points_[vertices[v]] = s.mesh.points[VertexId(v)];

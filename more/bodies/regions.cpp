@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "base/sorted_list.h"
 
 namespace deliso {
 namespace {
@@ -20,19 +19,11 @@ struct Region {
 Sheets part_of(const Sheets& all, Region& region) {
   Sheets part;
   for (const auto* facets : {&region.free, &region.fixed}) {
-    for (const std::uint32_t f : *facets) {
-      const SheetFacet& facet = part.facets.emplace_back(all.facets[f]);
-      region.vertices.insert(region.vertices.end(), facet.v.begin(), facet.v.end());
-    }
+    for (const std::uint32_t f : *facets) part.facets.push_back(all.facets[f]);
   }
   part.free_facets = region.free.size();
-  sort_unique(region.vertices);
+  region.vertices = number_vertices(part.facets);
   for (const VertexId v : region.vertices) part.points.push_back(all.points[v]);
-  for (SheetFacet& facet : part.facets) {
-    for (VertexId& v : facet.v) {
-      v = VertexId(std::ranges::lower_bound(region.vertices, v) - region.vertices.begin());
-    }
-  }
   return part;
 }
 
@@ -60,7 +51,7 @@ Regions::Regions(const Volume& shape, int side, int shift) : shape_(shape) {
   const Index3 voxels = shape.voxels();
   for (int axis = 0; axis < 3; ++axis) {
     const int n = side > 0 ? std::max(1, (voxels[axis] + side / 2) / side) : 1;
-    std::vector<double>& planes = planes_[static_cast<std::size_t>(axis)];
+    std::vector<double>& planes = planes_[axis];
     planes.push_back(0);
     for (int k = 0; k < n; ++k) {
       const int from = static_cast<int>(std::int64_t{voxels[axis]} * k / n),
@@ -72,62 +63,49 @@ Regions::Regions(const Volume& shape, int side, int shift) : shape_(shape) {
   }
 }
 
+Index3 Regions::planes() const {
+  Index3 count;
+  for (int axis = 0; axis < 3; ++axis) count[axis] = static_cast<int>(planes_[axis].size());
+  return count;
+}
+
 std::size_t Regions::size() const {
-  return (planes_[0].size() - 1) * (planes_[1].size() - 1) * (planes_[2].size() - 1);
-}
-
-Index3 Regions::place(std::size_t region) const {
-  const std::size_t nx = planes_[0].size() - 1, ny = planes_[1].size() - 1;
-  return {static_cast<int>(region % nx), static_cast<int>(region / nx % ny),
-          static_cast<int>(region / nx / ny)};
-}
-
-std::size_t Regions::number(Index3 at) const {
-  const std::size_t nx = planes_[0].size() - 1, ny = planes_[1].size() - 1;
-  return static_cast<std::size_t>(at.i) +
-         nx * (static_cast<std::size_t>(at.j) + ny * static_cast<std::size_t>(at.k));
-}
-
-SampleBox Regions::samples(std::size_t region) const {
-  const Index3 at = place(region);
-  SampleBox box;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto& planes = planes_[static_cast<std::size_t>(axis)];
-    const auto n = static_cast<std::size_t>(at[axis]);
-    box.begin[axis] = static_cast<int>(std::lround(planes[n] / shape_.spacing()[axis]));
-    box.end[axis] = static_cast<int>(std::lround(planes[n + 1] / shape_.spacing()[axis]));
-  }
-  return box;
+  const auto [nx, ny, nz] = planes();
+  return std::size_t(nx - 1) * (ny - 1) * (nz - 1);
 }
 
 Box3 Regions::box(std::size_t region) const {
-  const Index3 at = place(region);
+  const Index3 at = numbered_voxel(planes(), region);
   Box3 box;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto& planes = planes_[static_cast<std::size_t>(axis)];
-    const auto n = static_cast<std::size_t>(at[axis]);
-    box.lo[axis] = planes[n];
-    box.hi[axis] = planes[n + 1];
+    box.lo[axis] = planes_[axis][at[axis]];
+    box.hi[axis] = planes_[axis][at[axis] + 1];
   }
   return box;
 }
 
-unsigned Regions::inner_faces(std::size_t region) const {
-  const Index3 at = place(region);
-  unsigned faces = 0;
+SampleBox Regions::samples(std::size_t region) const {
+  const Box3 box = this->box(region);
+  SampleBox samples;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto n = static_cast<int>(planes_[static_cast<std::size_t>(axis)].size());
-    if (at[axis] > 0) faces |= 1u << (2 * axis);
-    if (at[axis] + 2 < n) faces |= 1u << (2 * axis + 1);
+    samples.begin[axis] = static_cast<int>(std::lround(box.lo[axis] / shape_.spacing()[axis]));
+    samples.end[axis] = static_cast<int>(std::lround(box.hi[axis] / shape_.spacing()[axis]));
   }
-  return faces;
+  return samples;
+}
+
+unsigned Regions::inner_faces(std::size_t region) const {
+  constexpr unsigned kAllFaces = 63;
+  const Index3 count = planes();
+  return kAllFaces ^ outer_faces(numbered_voxel(count, region), count + Index3{-1, -1, -1});
 }
 
 void Regions::for_each(Sheets& all, int threads, const Change& change) const {
   std::vector<Region> regions(size());
   std::vector<std::uint8_t> is_taken(all.facets.size());
+  const Index3 count = planes();
   const auto cell_of = [&](double at, int axis) {
-    const auto& planes = planes_[static_cast<std::size_t>(axis)];
+    const std::vector<double>& planes = planes_[axis];
     return static_cast<int>(std::upper_bound(planes.begin() + 1, planes.end() - 1, at) -
                             planes.begin()) -
            1;
@@ -140,15 +118,14 @@ void Regions::for_each(Sheets& all, int threads, const Change& change) const {
     for (int axis = 0; axis < 3; ++axis) {
       lo[axis] = cell_of(box.lo[axis], axis);
       hi[axis] = cell_of(box.hi[axis], axis);
-      const double low =
-          planes_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(lo[axis])];
-      is_in_one &= lo[axis] == hi[axis] && (lo[axis] == 0 || box.lo[axis] > low);
+      is_in_one &=
+          lo[axis] == hi[axis] && (lo[axis] == 0 || box.lo[axis] > planes_[axis][lo[axis]]);
     }
     Index3 at;
     for (at.k = lo.k; at.k <= hi.k; ++at.k) {
       for (at.j = lo.j; at.j <= hi.j; ++at.j) {
         for (at.i = lo.i; at.i <= hi.i; ++at.i) {
-          Region& region = regions[number(at)];
+          Region& region = regions[voxel_number(count, at)];
           (is_in_one ? region.free : region.fixed).push_back(f);
         }
       }

@@ -35,8 +35,7 @@ class Regions {
   void for_each(Sheets& all, int threads, const Change& change) const;
 
  private:
-  Index3 place(std::size_t region) const;
-  std::size_t number(Index3 place) const;
+  Index3 planes() const;  // along each axis. Regions are numbered as voxels between samples are.
 
   Volume shape_;
   std::array<std::vector<double>, 3> planes_;  // per axis; the faces of the volume's box, too

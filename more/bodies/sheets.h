@@ -4,11 +4,13 @@
 // one sheet.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "base/sorted_list.h"
 #include "mesh/tri_mesh.h"
 #include "more/bodies/partition.h"
 
@@ -19,6 +21,18 @@ struct SheetFacet {
   std::array<BodyId, 2> bodies;  // in front and behind (Partition::in_order)
   bool is_done = false;          // nothing near it is left to do in this stage
 };
+
+// Numbers the corners of facets (`v`) anew, from 0 on in their order. Returns their old numbers.
+template <class Facet>
+std::vector<VertexId> number_vertices(std::vector<Facet>& facets) {
+  std::vector<VertexId> used;
+  for (const Facet& f : facets) used.insert(used.end(), f.v.begin(), f.v.end());
+  sort_unique(used);
+  for (Facet& f : facets) {
+    for (VertexId& v : f.v) v = VertexId(std::ranges::lower_bound(used, v) - used.begin());
+  }
+  return used;
+}
 
 struct Sheets {
   std::vector<Vec3> points;

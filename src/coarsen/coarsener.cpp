@@ -10,9 +10,6 @@ namespace {
 // Removals, then so often moves, flips and removals again. Without moves meshes have up to 31 %
 // more vertices; a third round takes 4 % more time for 1.5 % fewer.
 constexpr int kRounds = 2;
-// Passes of removals end when one removes less than this share of the vertices.
-constexpr double kLeastShare = 0.01;
-constexpr int kMostPasses = 30;
 
 // A boundary edge stays as near to its arc as this share of its length.
 constexpr double kChainSagitta = 0.1;
@@ -39,8 +36,7 @@ Coarsener::Coarsener(SurfaceMesh& s, const Given& given, double distance, const 
       searches_(given.report.searches_coarsen),
       facet_(mesh_.points.size(), kNoId),
       is_active_(mesh_.points.size(), 0),
-      waits_(mesh_.points.size(), 0),
-      refused_(mesh_.points.size(), {kNoId, kNoId, kNoId}) {
+      waiting_(mesh_.points.size()) {
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_dead(mesh_.faces[f])) continue;
     for (const VertexId v : mesh_.faces[f].v) facet_[v] = f;
@@ -61,43 +57,16 @@ std::vector<std::uint8_t> Coarsener::run() {
   return std::move(changed_);
 }
 
-// Passes over the vertices that wait. A vertex whose star changed in a pass is tried in the next
-// one, so removals spread over the mesh.
 void Coarsener::remove_vertices() {
-  IdArray<VertexId, std::int8_t> changed_in(mesh_.points.size(), -1);
-  std::size_t left = 0;
-  for (std::int8_t pass = 0; pass < kMostPasses; ++pass) {
-    const std::vector<VertexId> todo = std::exchange(waiting_, {});
-    left = std::max(left, todo.size());
-    std::size_t removed = 0;
-    for (const VertexId v : todo) {
-      if (changed_in[v] == pass) {
-        waiting_.push_back(v);
-        continue;
-      }
-      waits_[v] = 0;
-      if (!remove(v)) continue;
-      ++removed;
-      for (int k = 0; k < ring_.size; ++k) {
-        const VertexId w = ring_.vertex[k];
-        changed_in[w] = pass;
-        is_active_[w] = kept_[w] == 0;
-        wake(w, v);
-      }
-    }
-    left -= removed;
-    if (removed == 0 || static_cast<double>(removed) < kLeastShare * static_cast<double>(left)) {
-      return;
-    }
-  }
-}
-
-void Coarsener::wake(VertexId v, VertexId changed) {
-  Triangle& refused = refused_[v];
-  if (refused[0] != kNoId && !has_corner(refused, changed)) return;
-  refused[0] = kNoId;
-  if (is_active_[v] == 0 || std::exchange(waits_[v], 1) != 0) return;
-  waiting_.push_back(v);
+  waiting_.pass([&](VertexId v) { return remove(v); },
+                [&](VertexId v, auto&& visit) {
+                  for (int k = 0; k < ring_.size; ++k) {
+                    const VertexId w = ring_.vertex[k];
+                    visit(w);
+                    is_active_[w] = kept_[w] == 0;
+                    wake(w, v);
+                  }
+                });
 }
 
 bool Coarsener::walk(VertexId v) {
@@ -111,7 +80,8 @@ bool Coarsener::remove(VertexId v) {
   if (!walk(v) || ring_.size < 3) return false;
   ring_.project();
   if (!hole_.fill(ring_, test_)) {
-    for (std::size_t s = 0; s < 3; ++s) refused_[v][s] = ring_.vertex[hole_.tried()[s]];
+    const auto [r, s, t] = hole_.tried();
+    waiting_.refuse(v, {ring_.vertex[r], ring_.vertex[s], ring_.vertex[t]});
     return false;
   }
   if (!keeps_link()) return false;
@@ -143,53 +113,14 @@ bool Coarsener::keeps_link() const {
 }
 
 void Coarsener::replace_star(VertexId v) {
-  IdArray<FaceId, Face>& faces = mesh_.faces;
-  std::array<FaceId, Ring::kMost> inside;  // the new facets at the ring's edges
-  for (int n = 0; n < hole_.size(); ++n) {
-    const Hole::Facet& facet = hole_.facet(n);
-    Face& face = faces[ring_.star[n]];
-    changed_[ring_.star[n].number()] = 1;
-    for (std::size_t s = 0; s < 3; ++s) {
-      face.v[s] = ring_.vertex[facet.corner[s]];
-      facet_[face.v[s]] = ring_.star[n];
-      const int across = facet.across[s];
-      face.n[s] = across >= 0 ? ring_.star[across] : ring_.outer[~across];
-      if (across < 0) inside[~across] = ring_.star[n];
-    }
-  }
-  for (int k = 0; k < ring_.facets; ++k) {
-    if (ring_.outer[k] == kNoId) continue;
-    Face& outside = faces[ring_.outer[k]];
-    outside.n[kNextCorner[corner_index(outside, ring_.vertex[k])]] = inside[k];
-  }
-  for (int k = hole_.size(); k < ring_.facets; ++k) {
-    faces[ring_.star[k]] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
-  }
+  deliso::replace_star(mesh_, facet_, ring_, hole_);
+  for (int n = 0; n < hole_.size(); ++n) changed_[ring_.star[n].number()] = 1;
   facet_[v] = kNoId;
   if (chain_.is_boundary(v)) chain_.remove(v);
 }
 
 bool Coarsener::joined(VertexId a, VertexId b) const {
-  const auto& faces = mesh_.faces;
-  const FaceId first = facet_[a];
-  FaceId f = first;
-  const auto has_b = [&](const Face& face, int i) {
-    return (face.v[kNextCorner[i]] == b) || (face.v[kPreviousCorner[i]] == b);
-  };
-  do {
-    const Face& face = faces[f];
-    const int i = corner_index(face, a);
-    if (has_b(face, i)) return true;
-    f = face.n[kNextCorner[i]];
-  } while (f != first && f != kNoId);
-  if (f == first) return false;
-  for (f = first; f != kNoId;) {  // the other way, from the boundary
-    const Face& face = faces[f];
-    const int i = corner_index(face, a);
-    if (has_b(face, i)) return true;
-    f = face.n[kPreviousCorner[i]];
-  }
-  return false;
+  return any_facet_at(mesh_, facet_[a], a, [&](const Face& face) { return has_corner(face.v, b); });
 }
 
 bool Coarsener::joins_on_box(VertexId a, VertexId b) const {
@@ -231,7 +162,7 @@ bool Coarsener::move(VertexId v) {
     }
   }
   mesh_.points[v] = *foot;
-  refused_[v][0] = kNoId;
+  waiting_.forget_refusal(v);
   wake(v, v);
   for (int k = 0; k < ring_.size; ++k) wake(ring_.vertex[k], v);
   for (int k = 0; k < ring_.facets; ++k) changed_[ring_.star[k].number()] = 1;
@@ -255,8 +186,8 @@ void Coarsener::flip_edges() {
 
 // Flips the edge of f opposite its corner i if the angles across it sum to more than pi.
 void Coarsener::flip(FaceId f, int i) {
-  IdArray<FaceId, Face>& faces = mesh_.faces;
-  const auto [first, g, a, b, c, d] = quad_at(mesh_, f, i);
+  const Quad q = quad_at(mesh_, f, i);
+  const VertexId a = q.a, b = q.b, c = q.c, d = q.d;
   const Vec3 &pa = mesh_.points[a], &pb = mesh_.points[b], &pc = mesh_.points[c],
              &pd = mesh_.points[d];
   const double at_a = dot(pb - pa, pc - pa), at_d = dot(pb - pd, pc - pd);
@@ -267,19 +198,8 @@ void Coarsener::flip(FaceId f, int i) {
       !test_.holds(pa, pb, pd, n + m, worst2) || !test_.holds(pd, pc, pa, n + m, worst2)) {
     return;
   }
-  const FaceId ab = faces[f].n[(i + 2) % 3], ca = faces[f].n[(i + 1) % 3];
-  const FaceId bd = faces[g].n[corner_index(faces[g], c)],
-               dc = faces[g].n[corner_index(faces[g], b)];
-  const auto link = [&](FaceId out, VertexId from, FaceId to) {
-    if (out != kNoId) faces[out].n[kNextCorner[corner_index(faces[out], from)]] = to;
-  };
-  faces[f] = {{a, b, d}, {bd, g, ab}};
-  faces[g] = {{d, c, a}, {ca, f, dc}};
-  link(bd, b, f);
-  link(ca, c, g);
-  changed_[f.number()] = changed_[g.number()] = 1;
-  facet_[a] = facet_[b] = facet_[d] = f;
-  facet_[c] = g;
+  deliso::flip(mesh_, facet_, q);
+  changed_[f.number()] = changed_[q.g.number()] = 1;
   wake(b, c);
   wake(c, b);
 }

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "coarsen/coarsen.h"
+#include "coarsen/waiting_vertices.h"
 #include "mesh/tri_mesh.h"
 #include "surface/facet_test.h"
 #include "surface/given.h"
@@ -43,10 +44,7 @@ class Coarsener {
   void move_vertices();
   void flip_edges();
   bool remove(VertexId v);
-  // Lets v wait for a try, as `changed`, v or a neighbor, is new, gone or elsewhere. Not if the
-  // facet that v was refused for has its corners still: in one of 300 such tries it was not refused
-  // again, and they were a quarter of all that failed.
-  void wake(VertexId v, VertexId changed);
+  void wake(VertexId v, VertexId changed) { waiting_.wake(v, changed, is_active_[v] != 0); }
   bool may_leave_boundary(VertexId v) const;
   bool keeps_link() const;
   void replace_star(VertexId v);
@@ -72,9 +70,7 @@ class Coarsener {
   SearchCounters& searches_;
   IdArray<VertexId, FaceId> facet_;            // one at the vertex; kNoId: none
   IdArray<VertexId, std::uint8_t> is_active_;  // the vertex is in the scope, or near a change
-  IdArray<VertexId, std::uint8_t> waits_;      // the vertex is in waiting_
-  std::vector<VertexId> waiting_;              // for a try, in the order of changes
-  IdArray<VertexId, Triangle> refused_;        // the facet that was refused last; kNoId: none
+  WaitingVertices waiting_;                    // for a try
   Ring ring_;
   Hole hole_;
 };

@@ -47,6 +47,26 @@ Quad quad_at(const TriMesh& mesh, FaceId f, int i) {
   return {f, g, face.v[i], face.v[(i + 1) % 3], face.v[(i + 2) % 3], d};
 }
 
+QuadSides sides_of(const TriMesh& mesh, const Quad& q) {
+  const Face &f = mesh.faces[q.f], &g = mesh.faces[q.g];
+  return {f.n[corner_index(f, q.c)], g.n[corner_index(g, q.c)], g.n[corner_index(g, q.b)],
+          f.n[corner_index(f, q.b)]};
+}
+
+void flip(TriMesh& mesh, IdArray<VertexId, FaceId>& facet, const Quad& q) {
+  IdArray<FaceId, Face>& faces = mesh.faces;
+  const QuadSides side = sides_of(mesh, q);
+  const auto link = [&](FaceId out, VertexId from, FaceId to) {
+    if (out != kNoId) faces[out].n[kNextCorner[corner_index(faces[out], from)]] = to;
+  };
+  faces[q.f] = {{q.a, q.b, q.d}, {side.bd, q.g, side.ab}};
+  faces[q.g] = {{q.d, q.c, q.a}, {side.ca, q.f, side.dc}};
+  link(side.bd, q.b, q.f);
+  link(side.ca, q.c, q.g);
+  facet[q.a] = facet[q.b] = facet[q.d] = q.f;
+  facet[q.c] = q.g;
+}
+
 void facets_around(const TriMesh& mesh, FaceId f, VertexId v, std::vector<FaceId>& star) {
   star.assign(1, f);
   for (std::size_t n = 0; n < star.size(); ++n) {

@@ -54,6 +54,8 @@ struct TriMesh {
   IdArray<VertexId, std::uint8_t> used_vertices() const;
 };
 
+inline constexpr std::array<int, 3> kNextCorner{1, 2, 0}, kPreviousCorner{2, 0, 1};
+
 // Returns the index of the corner of f opposite its neighbor g: f.n[i] == g. pre: they are
 // neighbors.
 inline int neighbor_index(const Face& f, FaceId g) {
@@ -96,9 +98,40 @@ struct Quad {
 // Returns the quad at the edge of f opposite its corner i. pre: f has a neighbor there.
 Quad quad_at(const TriMesh& mesh, FaceId f, int i);
 
+// The facets across the sides of a quad; kNoId on the boundary.
+struct QuadSides {
+  FaceId ab, bd, dc, ca;
+};
+QuadSides sides_of(const TriMesh& mesh, const Quad& q);
+
+// Puts the facets at the other diagonal in the place of the quad's. `facet`: one at each vertex.
+void flip(TriMesh& mesh, IdArray<VertexId, FaceId>& facet, const Quad& q);
+
 // Sets `star` to the facets at the corner v of facet f, f first, then by a walk over neighbors.
 // pre: neighbors are mutual (I2).
 void facets_around(const TriMesh& mesh, FaceId f, VertexId v, std::vector<FaceId>& star);
+
+// Calls visit(facet) for the facets at the corner v of facet `first`, by a walk over neighbors,
+// until it returns true. Returns whether one did.
+template <class Visit>
+bool any_facet_at(const TriMesh& mesh, FaceId first, VertexId v, Visit&& visit) {
+  const auto& faces = mesh.faces;
+  FaceId f = first;
+  do {
+    const Face& face = faces[f];
+    if (visit(face)) return true;
+    f = face.n[kNextCorner[corner_index(face, v)]];
+  } while (f != first && f != kNoId);
+  if (f == first) return false;
+  // The other way, from the boundary.
+  const auto before = [&](FaceId g) {
+    return faces[g].n[kPreviousCorner[corner_index(faces[g], v)]];
+  };
+  for (f = before(first); f != kNoId; f = before(f)) {
+    if (visit(faces[f])) return true;
+  }
+  return false;
+}
 
 // Sets the neighbors from the corners, in O(V + F) except for vertices of huge degree. An edge of
 // more than two facets, or of two that run along it in the same direction, is counted as

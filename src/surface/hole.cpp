@@ -86,4 +86,29 @@ int Hole::fill(int i, int j) {
   return own;
 }
 
+void replace_star(TriMesh& mesh, IdArray<VertexId, FaceId>& facet, const Ring& ring,
+                  const Hole& hole) {
+  IdArray<FaceId, Face>& faces = mesh.faces;
+  std::array<FaceId, Ring::kMost> inside;  // the new facets at the ring's edges
+  for (int n = 0; n < hole.size(); ++n) {
+    const Hole::Facet& filling = hole.facet(n);
+    Face& face = faces[ring.star[n]];
+    for (std::size_t s = 0; s < 3; ++s) {
+      face.v[s] = ring.vertex[filling.corner[s]];
+      facet[face.v[s]] = ring.star[n];
+      const int across = filling.across[s];
+      face.n[s] = across >= 0 ? ring.star[across] : ring.outer[~across];
+      if (across < 0) inside[~across] = ring.star[n];
+    }
+  }
+  for (int k = 0; k < ring.facets; ++k) {
+    if (ring.outer[k] == kNoId) continue;
+    Face& outside = faces[ring.outer[k]];
+    outside.n[kNextCorner[corner_index(outside, ring.vertex[k])]] = inside[k];
+  }
+  for (int k = hole.size(); k < ring.facets; ++k) {
+    faces[ring.star[k]] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
+  }
+}
+
 }  // namespace deliso

@@ -50,4 +50,9 @@ class Hole {
   double worst2_ = -1;       // of the star's (r/l)^2; negative: not known yet
 };
 
+// Puts the filling in the place of the star of the ring's vertex, which then has no facet. Facets
+// that are too many die. `facet`: one at each vertex.
+void replace_star(TriMesh& mesh, IdArray<VertexId, FaceId>& facet, const Ring& ring,
+                  const Hole& hole);
+
 }  // namespace deliso

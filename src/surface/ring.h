@@ -10,8 +10,6 @@
 
 namespace deliso {
 
-inline constexpr std::array<int, 3> kNextCorner{1, 2, 0}, kPreviousCorner{2, 0, 1};
-
 struct Ring {
   static constexpr int kMost = 16;  // vertices
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,6 +21,7 @@
 #include "cases.h"
 #include "io/files/temporary_folder.h"
 #include "io/mesh/read_mesh.h"
+#include "mesh/meshes.h"
 #include "stress/shared_file.h"
 #include "volume/sampled.h"
 
@@ -85,19 +85,6 @@ struct RandomLabels {
   std::vector<std::uint8_t> samples;
 };
 
-// How often the triangles go around p.
-double winding(const SharedFile& file, std::span<const Triangle> triangles, const Vec3& p) {
-  double angles = 0;
-  for (const Triangle& t : triangles) {
-    const Vec3 a = file.points[t[0].number()] - p, b = file.points[t[1].number()] - p,
-               c = file.points[t[2].number()] - p;
-    const double la = length(a), lb = length(b), lc = length(c);
-    angles += 2 * std::atan2(dot(a, cross(b, c)),
-                             la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-  }
-  return angles / (4 * std::numbers::pi);
-}
-
 using Corners3 = std::array<std::array<double, 3>, 3>;
 // The triangle's corners, from the least one.
 Corners3 corners_of(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -159,7 +146,7 @@ TEST_CASE("random labels fill space once, between common triangles that never cr
       const Vec3 p{within(i, n.i), within(j, n.j), within(k, n.k)};
       int found = 0;
       for (int label = 1; label <= labels.most; ++label) {
-        const double turns = winding(all, of[static_cast<std::size_t>(label)], p);
+        const double turns = winding_number(all.points, of[static_cast<std::size_t>(label)], p);
         CHECK(std::fabs(turns - std::round(turns)) < 1e-6);
         if (std::lround(turns) == 0) continue;
         CHECK(found == 0);
