@@ -31,6 +31,7 @@ struct MeshRun {
 
   const CommandLine& line;
   const Input& input;
+  bool is_one_of_all = false;  // of --label all: its advice is for all labels at once
 
   Report report;
   paper::Report published;  // with --paper
@@ -57,6 +58,10 @@ struct MeshRun {
   bool has_volume() const {
     return has_solid() || (input.field.label && !line.options.cap && mesh.boundary_loops == 0);
   }
+  // True of labels that reach the volume's border, where nothing closes their mesh.
+  bool is_open_label() const {
+    return input.field.label && !line.options.cap && mesh.boundary_loops > 0;
+  }
   // Returns the share by which it differs from the volume of the label's voxels.
   double volume_difference() const { return volume / input.field.label->volume - 1; }
   PlaceFaults by_rounding() const { return written.beyond(in_double); }
@@ -76,7 +81,8 @@ TriMesh mesh_input(MeshRun& run, Progress& progress,
 // impossible one.
 void warn_of_size(double vertices, const std::function<void(const std::string&)>& warn);
 
-// Throws InputError if the mesh has no surface, but caps at most, unless the line allows that.
+// Throws InputError if the mesh has no surface, but caps at most, unless the line allows that, or
+// the caps are those of labels, which may fill the volume.
 void require_surface(const MeshRun& run, const TriMesh& mesh);
 
 // Checks and measures the mesh, as mesh_input() does.
@@ -93,7 +99,8 @@ std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& 
 // the labels; `total` counts from the beginning of the run. Returns the exit status.
 int run_shared(const Stopwatch& total, const Source& source, const CommandLine& line,
                std::span<const CommandLine> lines);
-// Writes the meshes of labels into one file, each with its name, else "label N", and color. pre:
+// Writes the meshes of labels into one file, each with its name, else "label N", and its
+// color, else one of our own. pre:
 // there is one.
 void write_labels(std::vector<MeshObject> objects, std::span<const std::int64_t> labels,
                   const std::string& path);

@@ -37,7 +37,8 @@ CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const Command
 int run_check(const CommandLine& line) {
   MeshNotes notes;
   TriMesh mesh = read_mesh(line.meshes.front(), &notes);
-  const Input input = read_input(line, line.meshes);
+  Input input = read_input(line, line.meshes);
+  turn_to(mesh.frame.space, input);
   const std::string asked = field_note(line.field, input.volume());
   const auto made = noted_field(notes.comments);
   if (made && *made != asked) {

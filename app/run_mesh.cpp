@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/advice.h"
 #include "app/check_report.h"
 #include "app/count_stop.h"
 #include "app/criteria_note.h"
@@ -45,9 +46,20 @@ constexpr double kManyVertices = 1e7, kMaxVertices = 2.5e8;
 
 using Warn = std::function<void(const std::string&)>;
 
-// Throws InputError if no sample can be on one of the two sides.
-void require_isovalue_in_range(double isovalue, const ValueRange& range) {
+// Throws InputError if no sample can be on one of the two sides. Caps alone are the mesh of labels
+// that fill the volume.
+void require_isovalue_in_range(const MeshRun& run) {
+  const double isovalue = *run.input.isovalue;
+  const ValueRange& range = *run.input.range;
   if (range.min < isovalue && isovalue <= range.max) return;
+  const std::optional<LabelFacts>& label = run.input.field.label;
+  const bool is_full = label && isovalue <= range.min;
+  if (is_full && run.line.options.cap) return;
+  if (is_full) {
+    throw InputError(
+        "no surface around label ", joined(label->labels, ", "),
+        ", which fills the volume: --cap makes the block (--allow-empty accepts that)");
+  }
   throw InputError(no_surface_text(isovalue, range), ", everything is ",
                    isovalue <= range.min ? "inside" : "outside", " (--allow-empty accepts that)");
 }
@@ -163,11 +175,12 @@ TriMesh make_mesh(MeshRun& run, Progress& progress, const Warn& warn) {
   const CommandLine& line = run.line;
   const Volume& volume = run.input.volume();
   const double isovalue = *run.input.isovalue;
-  if (!line.allow_empty) require_isovalue_in_range(isovalue, *run.input.range);
+  if (!line.allow_empty) require_isovalue_in_range(run);
   if (run.input.field.label && run.input.range->max < isovalue) {
     const LabelFacts& label = *run.input.field.label;
     warn(vanished_text(joined(label.labels, ", "), label.samples));
   }
+  if (const std::string advice = mask_advice(run.input); !advice.empty()) warn(advice);
   require_limits(line.options, volume);
   warn_of_size(expected_vertices(volume, isovalue, line.options), warn);
 
@@ -219,13 +232,15 @@ void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress, const W
   const bool reported = !line.quiet || line.check || !line.json.empty();
   examine(volume, mesh, surface, reported, run);
   if (!line.quiet && count_stop(run) != CountStop::none) warn(count_text(run));
+  if (const std::string advice = tie_advice(run); reported && !advice.empty()) warn(advice);
+  if (run.is_open_label() && !run.is_one_of_all) warn(border_advice(run.input.field.label->labels));
   run.rounded = find_faults_as_written(mesh, run);
   if (line.check) verify_run(volume, mesh, progress, run);
   run.seconds_check = watch.seconds();
 }
 
 void require_surface(const MeshRun& run, const TriMesh& mesh) {
-  const bool capped = run.line.options.cap;
+  const bool capped = run.line.options.cap && !run.input.field.label;
   const std::size_t facets = capped ? run.report.cap.surface_triangles : mesh.faces.size();
   if (facets > 0 || run.line.allow_empty) return;
   throw InputError("the mesh at isovalue ", *run.input.isovalue,

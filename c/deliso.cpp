@@ -329,10 +329,11 @@ deliso_status deliso_mesh_read(const char* path, deliso_mesh** mesh) {
   return guarded(nullptr, [&] {
     require(path, "path");
     require(mesh, "mesh");
-    MeshNotes notes;
     auto made = std::make_unique<deliso_mesh>();
-    made->mesh = written_mesh(read_mesh(path, &notes), {.format = MeshFormat::ply});
-    made->rounding = notes.rounding;
+    MeshNotes& notes = made->notes;
+    const TriMesh mesh_of_file = read_mesh(path, &notes);
+    made->mesh = written_mesh(mesh_of_file, {.format = MeshFormat::ply});
+    made->space = mesh_of_file.frame.space;
     for (const std::string& comment : notes.comments) {
       if (made->write.comment.empty() && noted_field({&comment, 1})) made->write.comment = comment;
     }
@@ -398,11 +399,14 @@ deliso_status deliso_render(const deliso_mesh* const* meshes, size_t count,
     if (count > 0) require(meshes, "meshes");
     std::vector<std::string> words{"render", text("--output=", path)};
     std::vector<TriMesh> drawn;
+    std::vector<MeshNotes> notes;
     for (size_t n = 0; n < count; ++n) {
       words.push_back(text("mesh ", n + 1));
       drawn.push_back(tri_mesh_of(meshes[n]));
+      notes.push_back(meshes[n]->notes);
+      if (notes.back().sides.empty()) notes.back().sides = meshes[n]->write.sides;
     }
-    draw(drawn, parse(std::move(words), options, Reads::now));
+    draw(drawn, notes, parse(std::move(words), options, Reads::now));
     return true;
   });
 }
@@ -426,11 +430,12 @@ deliso_status deliso_check(const deliso_mesh* mesh, const deliso_volume* volume,
     require(mesh, "mesh");
     require(volume, "volume");
     const CommandLine line = line_of({"check", "mesh"}, *volume, isovalue, options);
-    const Input input = deliso::input_of(source_of(*volume, line), line);
+    Input input = deliso::input_of(source_of(*volume, line), line);
+    turn_to(mesh->space, input);
     WatchedProgress progress({{"check", 1}}, watch);
     const CheckRun run =
-        check_mesh_in_world(tri_mesh_of(mesh), {{mesh->write.comment}, mesh->rounding}, line, input,
-                            [&](double share) { progress.show("check", share); });
+        check_mesh_in_world(tri_mesh_of(mesh), {{mesh->write.comment}, mesh->notes.rounding}, line,
+                            input, [&](double share) { progress.show("check", share); });
     if (json) *json = copied(run.json);
     return !run.verification.faults.any();
   });

@@ -168,6 +168,25 @@ for name in turned mirrored; do
     holds "nor in $format" "$deliso" check $name.$format $name.nrrd --iso 150.3 -q --restricted 0.9
   done
 done
+# The mesh of --space has x and y of the other sign, and check and render know it by its header.
+for format in ply off obj stl vtp glb 3mf; do
+  "$deliso" turned.nrrd --iso 150.3 -q --space RAS -o ras.$format
+  holds "check turns the volume to the space of a .$format" \
+    "$deliso" check ras.$format turned.nrrd --iso 150.3 -q --restricted 0.9
+done
+"$deliso" turned.nrrd --iso 150.3 -q -o lps.obj
+holds "x and y have the other sign, to the last digit" [ "$(grep '^v' lps.obj)" = \
+  "$(awk '/^v/ { for (n = 2; n < 4; ++n) $n = $n ~ /^-/ ? substr($n, 2) : $n == 0 ? $n : "-" $n
+    print }' ras.obj)" ]
+holds "and triangles face the same side" [ "$(grep '^f' lps.obj)" = "$(grep '^f' ras.obj)" ]
+"$deliso" render ras.ply --axes -q -o ras.svg
+holds "render names the patient's directions" [ "$(grep -c '>[RAS]<' ras.svg)" -eq 3 ]
+for n in 1 2; do
+  "$deliso" turned.nrrd --iso 150.3 -q --space RAS --block-side 4 --part $n/2 -o ras-$n.part
+done
+"$deliso" turned.nrrd --iso 150.3 -q --space RAS --block-side 4 -o ras.ply
+"$deliso" join ras-?.part --volume turned.nrrd -q -o joined.ply
+holds "parts are joined in their space" cmp ras.ply joined.ply
 holds "the mesh says whose x, y, z it has" grep -q -a -x 'comment DelIso SPACE=LPS' turned.ply
 holds "and by which criteria, in voxels of 1" \
   grep -q -a -x 'comment deliso [0-9.]* r-min=0.25 max-distance=0.1 lambda=2' turned.ply
