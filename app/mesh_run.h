@@ -58,9 +58,11 @@ struct MeshRun {
   bool has_volume() const {
     return has_solid() || (input.field.label && !line.options.cap && mesh.boundary_loops == 0);
   }
-  // True of labels that reach the volume's border, where nothing closes their mesh.
+  // True of labels that reach the volume's border, where nothing closes their mesh. A warning about
+  // the input says that they are none.
   bool is_open_label() const {
-    return input.field.label && !line.options.cap && mesh.boundary_loops > 0;
+    return input.field.label && input.warning.empty() && !line.options.cap &&
+           mesh.boundary_loops > 0;
   }
   // Returns the share by which it differs from the volume of the label's voxels.
   double volume_difference() const { return volume / input.field.label->volume - 1; }

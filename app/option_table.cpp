@@ -157,8 +157,9 @@ constexpr OptionSpec kInputAndOutput[] = {
      "where the file's first sample lies (default: what the file says, or 0,0,0)",
      [](Line& l, Text o, Text v) { l.read.origin = parse_point(o, v); }},
     {"--space", 0, "LPS|RAS", kVolume,
-     "the patient's space of the mesh: x, y, z run to the left, back, head or to the right, front, "
-     "head (default: the volume's, if its file names one)",
+     "the patient's space of the mesh: x, y, z to the left, back, head, or to the right, front, "
+     "head "
+     "(default: the volume's, if its file names one)",
      [](Line& l, Text o, Text v) {
        l.read.space = choose<bool>(o, v) ? AnatomicalSpace::ras : AnatomicalSpace::lps;
      },
@@ -337,8 +338,7 @@ constexpr OptionSpec kRest[] = {
      "side (default): which side of the surface is seen; component: a color for each of the "
      "largest; angle: the smallest of the triangle; distance: from the isosurface, in voxels, with "
      "--volume and --iso; gradient: how steep the samples are, with --volume; label: the colors "
-     "that a .glb, .3mf or .vtp "
-     "of --label all has, or of --shared the label behind a triangle",
+     "of a .glb, .3mf or .vtp, or one for each label of --shared",
      [](Line& l, Text o, Text v) { l.color_by = choose<ColorBy>(o, v); }},
     {"--volume", 0, "INPUT", kShownAndJoin,
      "the volume whose isosurface triangles are measured against, with --iso; of join that of the "

@@ -180,9 +180,9 @@ TriMesh make_mesh(MeshRun& run, Progress& progress, const Warn& warn) {
     const LabelFacts& label = *run.input.field.label;
     warn(vanished_text(joined(label.labels, ", "), label.samples));
   }
-  if (const std::string advice = mask_advice(run.input); !advice.empty()) warn(advice);
   require_limits(line.options, volume);
   warn_of_size(expected_vertices(volume, isovalue, line.options), warn);
+  if (const std::string advice = mask_advice(run.input); !advice.empty()) warn(advice);
 
   if (line.paper) {
     PublishedProgress shown(progress);

@@ -179,8 +179,18 @@ holds "x and y have the other sign, to the last digit" [ "$(grep '^v' lps.obj)" 
   "$(awk '/^v/ { for (n = 2; n < 4; ++n) $n = $n ~ /^-/ ? substr($n, 2) : $n == 0 ? $n : "-" $n
     print }' ras.obj)" ]
 holds "and triangles face the same side" [ "$(grep '^f' lps.obj)" = "$(grep '^f' ras.obj)" ]
-"$deliso" render ras.ply --axes -q -o ras.svg
-holds "render names the patient's directions" [ "$(grep -c '>[RAS]<' ras.svg)" -eq 3 ]
+"$deliso" render ras.off --axes -q -o named.png
+sed 's/ SPACE=RAS//' ras.off >no-space.off
+"$deliso" render no-space.off --axes -q -o nameless.png
+status=0
+cmp -s named.png nameless.png || status=$?
+holds "render names the patient's directions" [ "$status" -eq 1 ]
+holds "a mesh that names none is where --space says" \
+  "$deliso" check no-space.off turned.nrrd --iso 150.3 -q --restricted 0.9 --space RAS
+"$deliso" render ras.ply --volume turned.nrrd --iso 150.3 --clip x:0.5 --section -q -o ras.png
+"$deliso" render no-space.off --volume turned.nrrd --space RAS --iso 150.3 --clip x:0.5 --section \
+  -q -o no-space.png
+holds "a section is where the mesh is" cmp ras.png no-space.png
 for n in 1 2; do
   "$deliso" turned.nrrd --iso 150.3 -q --space RAS --block-side 4 --part $n/2 -o ras-$n.part
 done
@@ -394,7 +404,7 @@ set -- mask.raw --dims 8x8x8 --type uint8
 holds "info proposes the label of a mask" grep -q '^try       --label 255       256 samples$' report
 holds "then its isovalue" grep -q '^or        --iso ' report
 holds "the JSON says so" grep -q '^  "looks_like_labels": true,$' info.json
-"$deliso" "$@" --label 255 -o mask.ply >stdout 2>stderr
+"$deliso" "$@" --label 255 --cap -o mask.ply >stdout 2>stderr
 holds "and --label is as it was" empty stderr
 "$deliso" info builtin:fuel --json info.json >report
 holds "info proposes isovalues of a gray image" grep -q '^try       --iso ' report
