@@ -55,8 +55,8 @@ std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& 
     for (const NamedSegment& segment : source.log.segments) {
       if (segment.label != found.label) continue;
       one.write.name = segment.name;
-      if (segment.color && in_one_file(line))
-        one.write.label = ObjectLabel{found.label, *segment.color};
+      const bool is_object = in_one_file(line) || line.output.empty();  // or may become one
+      if (segment.color && is_object) one.write.label = ObjectLabel{found.label, *segment.color};
     }
     require_outputs(std::vector{one.output, one.json}, files);
     lines.push_back(std::move(one));
@@ -74,9 +74,9 @@ void write_labels(std::vector<MeshObject> objects, std::span<const std::int64_t>
   for (std::size_t n = 0; n < objects.size(); ++n) {
     MeshWriteOptions& options = objects[n].options;
     if (options.name.empty()) options.name = text("label ", labels[n]);
-    if (options.label) continue;
-    const Rgb color = category_color(static_cast<std::size_t>(labels[n]));
-    options.label = {labels[n], {color.red, color.green, color.blue}};
+    const Rgb own = category_color(static_cast<std::size_t>(labels[n]));
+    const std::array color{own.red, own.green, own.blue};
+    options.label = {labels[n], options.label ? options.label->color : color};
   }
   // The file's comment: it has all labels.
   std::string& comment = objects.front().options.comment;

@@ -109,6 +109,18 @@ std::string name_of_label(const std::string& names, std::int64_t label) {
   return {};
 }
 
+// The color of a label as deliso_mesh_data has it, and back.
+int32_t number_of(const std::optional<ObjectLabel>& label) {
+  if (!label) return 0;
+  const auto& [red, green, blue] = label->color;
+  return 0x1000000 | red << 16 | green << 8 | blue;
+}
+std::optional<ObjectLabel> label_of(int32_t number) {
+  if (number == 0) return std::nullopt;
+  const auto byte = [&](int shift) { return static_cast<std::uint8_t>(number >> shift & 0xff); };
+  return ObjectLabel{0, {byte(16), byte(8), byte(0)}};  // its number comes with the label
+}
+
 std::string text_or_empty(const char* text) {
   return text ? text : "";
 }
@@ -279,6 +291,7 @@ deliso_status deliso_mesh_get_data(const deliso_mesh* mesh, deliso_mesh_data* da
     data->single_precision = mesh->write.single_precision;
     data->sides = deliso_mesh_sides(mesh, nullptr);
     data->names = mesh->names.c_str();
+    data->color = number_of(mesh->write.label);
     return true;
   });
 }
@@ -314,6 +327,7 @@ deliso_status deliso_mesh_from_data(const deliso_mesh_data* data, deliso_mesh** 
       made->write.sides.push_back({data->sides[2 * n], data->sides[2 * n + 1]});
     }
     made->names = text_or_empty(data->names);
+    made->write.label = label_of(data->color);
     if (data->first_cap != SIZE_MAX) {
       if (data->first_cap > data->triangle_count) {
         throw InputError("first_cap is beyond the last triangle");
@@ -369,7 +383,10 @@ const char* deliso_mesh_warnings(const deliso_mesh* mesh) {
 deliso_status deliso_mesh_save(const deliso_mesh* mesh, const char* path) {
   return guarded(nullptr, [&] {
     require(path, "path");
-    write_mesh(tri_mesh_of(mesh), path, mesh->write);
+    const TriMesh made = tri_mesh_of(mesh);
+    MeshWriteOptions write = mesh->write;
+    write.label.reset();  // colors are of several labels
+    write_mesh(made, path, write);
     return true;
   });
 }

@@ -100,6 +100,7 @@ class _MeshData(ctypes.Structure):
         ("single_precision", ctypes.c_int),
         ("sides", ctypes.c_void_p),
         ("names", ctypes.c_char_p),
+        ("color", ctypes.c_int32),
     ]
 
 
@@ -406,7 +407,7 @@ class Mesh:
 
     def __reduce__(self):
         others = ("report", "warnings", "comment", "name", "names", "space", "first_cap")
-        others += ("single_precision",)
+        others += ("single_precision", "color")
         remade = ("_handle", "_data", "vertices", "triangles", "normals")
         state = {name: value for name, value in vars(self).items() if name not in remade}
         return _from_data, (self._views(), {n: getattr(self._data, n) for n in others}), state
