@@ -395,6 +395,22 @@ holds "every name is said" [ "$(grep -c 'a?\[31m?EVIL' said)" -ge 10 ]
 holds "no escape is" [ "$(tr -d '\n' <said | grep -c '[[:cntrl:]]')" -eq 0 ]
 holds "no line of its own" [ "$(grep -c '^EVIL' said)" -eq 0 ]
 
+# A segment's own color is that of its object, and of its triangles in a picture.
+{
+  printf 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 4 4 4\nencoding: ascii\n'
+  printf 'Segment0_Name:=a\nSegment0_LabelValue:=1\nSegment0_Color:=1 0.5 0\n\n'
+  awk 'BEGIN { for (n = 0; n < 64; n++) print (n % 4 < 2) + 0 }'
+} >colored.seg.nrrd
+for more in '' '--shared colored.ply'; do
+  for format in glb 3mf; do
+    # shellcheck disable=SC2086
+    "$deliso" colored.seg.nrrd --label all --cap -q -o colored.$format $more
+    "$deliso" render colored.$format --color-by label --occlusion off --view 0,0 -q -o $format.png
+  done
+  holds "a segment's color in glTF" grep -a -q 'baseColorFactor":\[1,0.2167' colored.glb
+  holds "glTF and 3MF have one color" cmp glb.png 3mf.png
+done
+
 # Labels and gray images are told from each other, by one rule.
 printf '\0\0\0\0\377\377\377\377' >mask8.raw
 cat mask8.raw mask8.raw mask8.raw mask8.raw mask8.raw mask8.raw mask8.raw mask8.raw >mask64.raw
