@@ -14,6 +14,9 @@ namespace {
 // and 2.5 to 15, once .7, half a step lower.
 constexpr double kThinAngle = 1;
 
+// Samples. Smaller volumes are meshed at once, and are no scans.
+constexpr std::size_t kLeastMask = 1000;
+
 bool is_whole(double x) {
   return std::floor(x) == x;
 }
@@ -25,7 +28,9 @@ std::string mask_advice(const Input& input) {
   const auto [lo, hi] = *input.range;
   const double isovalue = *input.isovalue, middle = lo + (hi - lo) / 2;
   const bool is_middle = std::abs(isovalue - middle) <= (hi - lo) / 4;
-  if (input.field.is_filtered() || is_middle || !(lo < isovalue && isovalue <= hi)) return {};
+  if (volume.sample_count() < kLeastMask || input.field.is_filtered() || is_middle ||
+      !(lo < isovalue && isovalue <= hi))
+    return {};
   const bool is_mask = volume.visit([&](const auto* samples) {
     return std::all_of(samples, samples + volume.sample_count(), [&](auto sample) {
       const auto value = static_cast<double>(sample);
