@@ -37,12 +37,13 @@ struct MeshRun {
   paper::Report published;  // with --paper
   std::size_t vertices = 0, triangles = 0;
   TopologyCounts mesh;
-  std::string fault;           // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
-  MeshQuality quality;         // of the surface
-  MeshQuality cap_quality;     // with --cap
-  ClosePlaces close;           // of the surface
-  double max_off_surface = 0;  // of vertices that --cap needs off the surface; scaled frame
-  double volume = 0;           // if has_volume(): inside mesh and caps, in world units
+  std::string fault;        // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
+  MeshQuality quality;      // of the surface
+  MeshQuality cap_quality;  // with --cap
+  ClosePlaces close;        // of the surface
+  std::size_t close_at_caps = 0;  // with --cap: count_at_caps()
+  double max_off_surface = 0;     // of vertices that --cap needs off the surface; scaled frame
+  double volume = 0;              // if has_volume(): inside mesh and caps, in world units
   // Of the mesh as it is in the file, and as it would be in double precision. Counted with --cap,
   // and if coordinates are rounded to float.
   PlaceFaults written, in_double;
@@ -82,6 +83,11 @@ TriMesh mesh_input(MeshRun& run, Progress& progress,
 // Warns in one line before a run that may need much time and memory. Throws an InputError before an
 // impossible one.
 void warn_of_size(double vertices, const std::function<void(const std::string&)>& warn);
+
+// Warns in one line if single precision moves the points, as the file has them, by more than a
+// quarter of the bound on the distance, or of its default if there is none.
+void warn_of_rounding(const std::vector<Vec3>& points, double max_distance, const Volume& volume,
+                      const std::function<void(const std::string&)>& warn);
 
 // Throws InputError if the mesh has no surface, but caps at most, unless the line allows that, or
 // the caps are those of labels, which may fill the volume.
