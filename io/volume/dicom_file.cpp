@@ -412,9 +412,11 @@ class DicomParser {
           "'dcm2niix -o OUT FOLDER'";
     }
     const int bits = file_.bits_allocated;
-    if ((bits != 8 && bits != 16 && bits != 32) || file_.bits_stored < 1 ||
-        file_.bits_stored > bits || file_.high_bit < file_.bits_stored - 1 ||
-        file_.high_bit >= bits) {
+    if (bits == 0) {
+      file_.fault = "does not tell the bits of its samples (BitsAllocated)";
+    } else if ((bits != 8 && bits != 16 && bits != 32) || file_.bits_stored < 1 ||
+               file_.bits_stored > bits || file_.high_bit < file_.bits_stored - 1 ||
+               file_.high_bit >= bits) {
       file_.fault = text("has samples of ", file_.bits_stored, " bits in ", bits, ", up to bit ",
                          file_.high_bit, ": only those in 8, 16 and 32 are read");
     }

@@ -102,7 +102,20 @@ DicomPlane full_plane(const VolumeInput& input, const DicomSlice& slice, bool un
   return plane;
 }
 
-// Places slices in the frames' planes, and sorts them by their heights. `steps`: of the order.
+// Sets the places of slices whose directions are not known upright along z: apart as their
+// positions are, which run up.
+void place_upright(std::vector<DicomSlice>& slices) {
+  const auto [lowest, highest] =
+      std::ranges::minmax(slices, {}, [](const DicomSlice& slice) { return slice.position.z; });
+  const Vec3 begin = lowest.position, whole = highest.position - begin;
+  if (!(whole.z > 0)) return;
+  for (DicomSlice& slice : slices) {
+    const double height = dot(slice.position - begin, whole) / length(whole);
+    slice.position = begin + Vec3{0, 0, height};
+  }
+}
+
+// Finds the places of slices, and sorts them by their heights.
 void place(std::vector<DicomSlice>& slices, PlacedBy by, const VolumeInput& input,
            bool undirected) {
   const DicomFile& first = *slices[0].file;
@@ -130,8 +143,9 @@ void place(std::vector<DicomSlice>& slices, PlacedBy by, const VolumeInput& inpu
       if (!plane.position) fail(slice.name(), "has no ImagePositionPatient");
       slice.position = *plane.position;
     }
-    slice.height = dot(slice.position, normal);
   }
+  if (undirected) place_upright(slices);
+  for (DicomSlice& slice : slices) slice.height = dot(slice.position, normal);
   std::ranges::stable_sort(slices, {}, &DicomSlice::height);
 }
 
@@ -196,12 +210,15 @@ void require_all_slices(const std::vector<DicomSlice>& slices, const std::vector
 // rounded in the file: below half a sample, or below the largest error that they have anyway.
 void straighten(SampleGrid& grid, const Vec3& whole, double error) {
   Vec3 upright = grid.steps[2];
+  bool is_right_angled = true;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const Vec3 side = grid.steps[axis], direction = side / length(side);
-    if (std::abs(dot(whole, direction)) > std::max(kUprightShift * length(side), error)) return;
+    const double shift = std::abs(dot(whole, direction));
+    if (shift > std::max(kUprightShift * length(side), error)) return;
+    if (shift > kShearTolerance * length(whole)) is_right_angled = false;
     upright = upright - dot(upright, direction) * direction;
   }
-  grid.steps[2] = upright;
+  if (!is_right_angled) grid.steps[2] = upright;
 }
 
 // Sets the step from a slice to the next. Notes slices that are a little uneven, and sets the
