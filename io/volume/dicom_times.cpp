@@ -68,11 +68,12 @@ std::vector<std::size_t> order_of_keys(const std::vector<Place>& places) {
   };
   std::vector<std::size_t> keys;
   for (std::size_t key = 0; key < kKeys; ++key) keys.push_back(key);
-  std::ranges::stable_partition(keys, [&](std::size_t key) {
+  const auto is_same_everywhere = [&](std::size_t key) {
     const auto first = values(places[0], key);
     return std::ranges::all_of(places,
                                [&](const Place& place) { return values(place, key) == first; });
-  });
+  };
+  std::stable_partition(keys.begin(), keys.end(), is_same_everywhere);
   return keys;
 }
 

@@ -28,10 +28,10 @@
 //    meters and micrometers become millimeters, which the unit is in these spaces.
 // 4. Refused with a message, never guessed:
 //    - other 64-bit integers, complex samples, several components;
-//    - several channels or times, if no option chooses one;
+//    - several channels or times, if no option chooses one (SeveralVolumes);
 //    - sheared grids: axes not at right angles within 1e-4;
 //    - data of another size than in the header, more than one data file or piece;
-//    - DICOM slices that are missing; several series, if the options name none;
+//    - DICOM slices that are missing; several series, if the options name none (SeveralSeries);
 //    - TIFF slices of different sizes or types;
 //    - pictures in color, JPEG that loses detail, JPEG 2000 and other codecs of pictures;
 //    - bzip2, hex, lz4 and lzma encodings.
