@@ -691,6 +691,23 @@ TEST_CASE("uneven slices are interpolated, exactly if the field is linear") {
   }
 }
 
+TEST_CASE("a scan that is coarser from some place on lacks no slices") {
+  const TemporaryFolder folder;
+  const Truth truth = random_truth(SampleType::u8, {4, 3, 9}, 3);
+  const DicomForm form{.place = DicomForm::Place::offsets};
+  const auto with = [&](const std::vector<double>& offsets, ReadLog* log) {
+    DicomElements elements = dicom_image(truth, form, 0, 9);
+    elements[0x3004000c] = dicom_numbers(offsets);
+    return read_volume(folder.write("v.dcm", dicom_file(form, elements)), {}, log);
+  };
+  ReadLog log;
+  const Volume volume = with({0, 1, 2, 3, 4, 5, 7, 9, 11}, &log);
+  CHECK(volume.dims() == Index3{4, 3, 12});
+  CHECK(log.notes[0].find("uneven, from 1 to 2 apart") != std::string::npos);
+  CHECK(volume.sample(1, 2, 5) == static_cast<std::uint8_t>(truth.bytes[1 + 4 * (2 + 3 * 5)]));
+  CHECK_THROWS_AS(with({0, 1, 2, 3, 4, 5, 6, 8, 10}, nullptr), InputError);
+}
+
 // All of these were refused, and --spacing was not looked at.
 TEST_CASE("slices without places, directions or spacings are read, with a note or an option") {
   const TemporaryFolder folder;
@@ -770,6 +787,14 @@ TEST_CASE("slices without places, directions or spacings are read, with a note o
   CHECK(bytes_of_samples(volume) == truth.bytes);
   CHECK(distance(volume.frame().origin, truth.origin) < 1e-12);
   CHECK(volume.frame().space == AnatomicalSpace::unknown);
+  // They stand upright, as far apart as their positions are.
+  axial.axes[2] = {0, 0.6, 0.8};
+  series = write_series(folder, axial, {},
+                        [&](int, DicomElements& elements) { elements.erase(kDirections); });
+  volume = read_volume(series);
+  CHECK(bytes_of_samples(volume) == truth.bytes);
+  CHECK(distance(volume.spacing(), truth.spacing) < 1e-9);
+  CHECK(volume.frame().axes == Frame().axes);
   CHECK(is_reversed(read_volume(series_without({kDirections}, {{kThickness, {"DS", "3"}}}))));
   // Frames of one file.
   DicomElements frames = dicom_image(truth, {.place = DicomForm::Place::stack}, 0, kSlices);
