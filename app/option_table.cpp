@@ -143,7 +143,7 @@ constexpr OptionSpec kInputAndOutput[] = {
      "meshed; the info command lists them)",
      [](Line& l, Text, Text v) { l.read.array = v; }},
     {"--series", 0, "N", kVolume,
-     "which series of a folder of DICOM (default: the only one; several are listed)",
+     "which series of a folder of DICOM (default: the only one; the info command lists several)",
      [](Line& l, Text o, Text v) { l.read.series = parse_count(o, v, 1); }},
     {"--channel", 0, "N", kVolume,
      "which channel of a file that has several (NIfTI, NRRD, MetaImage, TIFF), counted from 1",

@@ -40,6 +40,9 @@ constexpr bool is_space(char c) {
 }
 std::string_view trimmed(std::string_view text);
 std::string lower(std::string_view text);
+// Returns `name` with its numbers filled up with zeros: in the order of these, slice2 comes before
+// slice10.
+std::string with_long_numbers(std::string_view name);
 std::vector<std::string_view> words_of(std::string_view text);
 // Returns what stands between the separators: one part more than there are.
 std::vector<std::string_view> split(std::string_view text, char separator);

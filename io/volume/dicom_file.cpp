@@ -36,19 +36,31 @@ constexpr std::uint32_t kTransferSyntax = 0x00020010, kDescription = 0x0008103e,
                         kColumns = 0x00280011, kPixelSpacing = 0x00280030,
                         kBitsAllocated = 0x00280100, kBitsStored = 0x00280101,
                         kHighBit = 0x00280102, kSigned = 0x00280103, kIntercept = 0x00281052,
-                        kSlope = 0x00281053, kDistance = 0x00180088, kFrameOffsets = 0x3004000c,
-                        kDoseScaling = 0x3004000e, kDetectors = 0x00540022, kSlices = 0x00540080,
-                        kSharedGroups = 0x52009229, kFrameGroups = 0x52009230,
-                        kPixelData = 0x7fe00010, kItem = 0xfffee000, kItemEnd = 0xfffee00d,
-                        kSequenceEnd = 0xfffee0dd;
+                        kSlope = 0x00281053, kDistance = 0x00180088, kThickness = 0x00180050,
+                        kLocation = 0x00201041, kInstance = 0x00080018, kImageType = 0x00080008,
+                        kFrameOffsets = 0x3004000c, kDoseScaling = 0x3004000e,
+                        kDetectors = 0x00540022, kSlices = 0x00540080, kSharedGroups = 0x52009229,
+                        kFrameGroups = 0x52009230, kPixelData = 0x7fe00010, kItem = 0xfffee000,
+                        kItemEnd = 0xfffee00d, kSequenceEnd = 0xfffee0dd;
 
 // The sequences of a functional group that hold a plane: Plane Position, Plane Orientation, Pixel
-// Measures, Pixel Value Transformation.
-constexpr std::uint32_t kPlaneSequences[] = {0x00209113, 0x00209116, 0x00289110, 0x00289145};
+// Measures, Pixel Value Transformation; and a moment: Frame Content, Temporal Position, MR Echo, MR
+// Diffusion, Cardiac Synchronization.
+constexpr std::uint32_t kPlaneSequences[] = {0x00209113, 0x00209116, 0x00289110,
+                                             0x00289145, 0x00209111, 0x00209310,
+                                             0x00189114, 0x00189117, 0x00189118};
+
+// The elements of a moment, and their places in it. Files of several frames have their own.
+constexpr std::pair<std::uint32_t, std::size_t> kMoments[] = {
+    {0x00200100, 0}, {0x00209128, 0}, {0x00181060, 1}, {0x00209153, 1},
+    {0x00180081, 2}, {0x00189082, 2}, {0x00189087, 3}, {0x00200012, 4},
+    {0x00209156, 4}, {0x00080032, 5}, {0x00080033, 6}, {0x00200013, 7}};
 
 // The elements of an image that are texts, and those that are numbers of 16 bits.
 constexpr std::pair<std::uint32_t, std::string DicomFile::*> kStrings[] = {
     {kSeries, &DicomFile::series},
+    {kInstance, &DicomFile::instance},
+    {kImageType, &DicomFile::image_type},
     {kDescription, &DicomFile::description},
     {kPhotometric, &DicomFile::photometric}};
 constexpr std::pair<std::uint32_t, int DicomFile::*> kShorts[] = {
@@ -161,7 +173,8 @@ class DicomParser {
     if (syntax_.empty()) {  // without a first group
       const bool has_vr = bytes_.size() >= at_ + 6 && is_upper(bytes_.data[at_ + 4]) &&
                           is_upper(bytes_.data[at_ + 5]);
-      syntax_ = has_vr ? kExplicitLittle : kImplicitLittle;
+      const bool is_big = bytes_.data[at_] == std::byte{0};  // of a group's two bytes the higher
+      syntax_ = !has_vr ? kImplicitLittle : is_big ? kExplicitBig : kExplicitLittle;
     }
     is_explicit_ = syntax_ != kImplicitLittle;
     file_.is_big_endian = syntax_ == kExplicitBig;
@@ -244,15 +257,28 @@ class DicomParser {
     return trimmed(value);
   }
 
-  // Returns the decimal numbers of an element; `count` of them unless that is 0.
-  std::vector<double> numbers_at(const Element& element, const char* name,
-                                 std::size_t count) const {
+  // Returns the decimal numbers of an element; nullopt if they are none, or out of range.
+  std::optional<std::vector<double>> usable_numbers(const Element& element) const {
     std::string words(string_at(element));
     std::ranges::replace(words, '\\', ' ');
     std::optional<std::vector<double>> numbers = to_doubles(words);
     const auto is_usable = [](double x) { return std::abs(x) <= kLargestLength; };  // and no NaN
-    if (!numbers || (count > 0 && numbers->size() != count) ||
-        !std::ranges::all_of(*numbers, is_usable)) {
+    if (numbers && !std::ranges::all_of(*numbers, is_usable)) numbers.reset();
+    return numbers;
+  }
+
+  // Returns the one number of an element, if it is good.
+  std::optional<double> number_if(const Element& element, bool (*is_good)(double)) const {
+    const auto numbers = usable_numbers(element);
+    if (!numbers || numbers->size() != 1 || !is_good((*numbers)[0])) return std::nullopt;
+    return (*numbers)[0];
+  }
+
+  // Returns the decimal numbers of an element; `count` of them unless that is 0.
+  std::vector<double> numbers_at(const Element& element, const char* name,
+                                 std::size_t count) const {
+    std::optional<std::vector<double>> numbers = usable_numbers(element);
+    if (!numbers || (count > 0 && numbers->size() != count)) {
       fail(bytes_.name, "its ", name, " is ", quote(string_at(element)), ", not ",
            count == 0 ? "" : std::to_string(count) + " ", "numbers");
     }
@@ -268,16 +294,42 @@ class DicomParser {
       const auto n = numbers_at(element, "ImageOrientationPatient", 6);
       plane.directions = {Vec3{n[0], n[1], n[2]}, Vec3{n[3], n[4], n[5]}};
     } else if (element.tag == kPixelSpacing) {
-      const auto n = numbers_at(element, "PixelSpacing", 2);
-      plane.spacing = {n[1], n[0]};  // the file has the distance of rows first, which is along y
+      // One that is bad is as none: an option may replace it. The file has the distance of rows
+      // first, which is along y.
+      const auto n = usable_numbers(element).value_or(std::vector<double>());
+      if (n.size() == 2 && n[0] > 0 && n[1] > 0) plane.spacing = {n[1], n[0]};
     } else if (element.tag == kDistance) {
-      plane.distance = numbers_at(element, "SpacingBetweenSlices", 1)[0];
+      plane.distance = number_if(element, [](double x) { return x != 0; });
+    } else if (element.tag == kThickness) {
+      plane.thickness = number_if(element, [](double x) { return x > 0; });
+    } else if (element.tag == kLocation) {
+      plane.location = number_if(element, [](double) { return true; });
     } else if (element.tag == kSlope || element.tag == kDoseScaling) {
       plane.slope = numbers_at(element, "RescaleSlope", 1)[0];
       if (*plane.slope == 0) fail(bytes_.name, "its RescaleSlope is 0");
     } else if (element.tag == kIntercept) {
       plane.intercept = numbers_at(element, "RescaleIntercept", 1)[0];
     }
+    for (const auto& [tag, n] : kMoments) {
+      if (element.tag == tag) plane.moment[n] = moment_at(element);
+    }
+  }
+
+  // Returns a number that may be binary; nullopt if there is none.
+  std::optional<double> moment_at(const Element& element) const {
+    constexpr std::uint32_t kReals[] = {0x00189082, 0x00189087, 0x00209153};
+    double value = std::numeric_limits<double>::quiet_NaN();
+    if (element.tag == 0x00209128 && element.length == 4) {
+      value = number<std::uint32_t>(at_);
+    } else if (element.tag == 0x00209156 && element.length == 2) {
+      value = number<std::uint16_t>(at_);
+    } else if (std::ranges::count(kReals, element.tag) > 0 && element.length == 8) {
+      value = number<double>(at_);
+    } else if (const auto words = to_doubles(string_at(element)); words && words->size() == 1) {
+      value = (*words)[0];  // a time is HHMMSS.FFFFFF
+    }
+    if (!std::isfinite(value)) return std::nullopt;
+    return value;
   }
 
   void read_image(const Element& element) {
@@ -354,10 +406,17 @@ class DicomParser {
       file_.fault =
           text("is in color (", quote(file_.photometric), "): only grayscale can be meshed");
     }
+    if (file_.image_type.find("MOSAIC") != std::string::npos) {
+      file_.fault =
+          "is a mosaic, as Siemens writes it: all slices in one picture. Convert the series with "
+          "'dcm2niix -o OUT FOLDER'";
+    }
     const int bits = file_.bits_allocated;
-    if ((bits != 8 && bits != 16 && bits != 32) || file_.bits_stored < 1 ||
-        file_.bits_stored > bits || file_.high_bit < file_.bits_stored - 1 ||
-        file_.high_bit >= bits) {
+    if (bits == 0) {
+      file_.fault = "does not tell the bits of its samples (BitsAllocated)";
+    } else if ((bits != 8 && bits != 16 && bits != 32) || file_.bits_stored < 1 ||
+               file_.bits_stored > bits || file_.high_bit < file_.bits_stored - 1 ||
+               file_.high_bit >= bits) {
       file_.fault = text("has samples of ", file_.bits_stored, " bits in ", bits, ", up to bit ",
                          file_.high_bit, ": only those in 8, 16 and 32 are read");
     }
@@ -382,9 +441,9 @@ class DicomParser {
           fail_size(packed);
       }
     } else {
-      // An odd number of bytes is padded to an even one.
+      // Bytes behind the samples are no fault (PS3.5, 8.1.1).
       const std::size_t found = file_.pixels.size();
-      if (frames > found / size || found - frames * size > 1) fail_size(found);
+      if (frames > found / size) fail_size(found);
       if (file_.is_swapped_bytes && found % 2 != 0) fail_size(found);
     }
     if (!file_.planes.empty() && file_.planes.size() != frames) {
@@ -487,8 +546,11 @@ DicomPlane DicomFile::plane(std::size_t frame) const {
   prefer(plane.directions, own.directions);
   prefer(plane.spacing, own.spacing);
   prefer(plane.distance, own.distance);
+  prefer(plane.thickness, own.thickness);
+  prefer(plane.location, own.location);
   prefer(plane.slope, own.slope);
   prefer(plane.intercept, own.intercept);
+  for (std::size_t n = 0; n < own.moment.size(); ++n) prefer(plane.moment[n], own.moment[n]);
   return plane;
 }
 
@@ -527,7 +589,8 @@ bool looks_like_dicom(const Bytes& bytes) {
   const std::string_view tag = bytes.text().substr(0, 4);
   for (const std::string_view known :
        {"\2\0\0\0"sv, "\2\0\1\0"sv, "\2\0\2\0"sv, "\2\0\x10\0"sv, "\x8\0\0\0"sv, "\x8\0\5\0"sv,
-        "\x8\0\x8\0"sv, "\x8\0\x16\0"sv}) {
+        "\x8\0\x8\0"sv, "\x8\0\x16\0"sv, "\0\x8\0\0"sv, "\0\x8\0\5"sv, "\0\x8\0\x8"sv,
+        "\0\x8\0\x16"sv}) {
     if (tag == known) return true;
   }
   return false;

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/vec3.h"
@@ -19,13 +20,25 @@
 
 namespace deliso {
 
+// What tells frames at one place apart, as of several times or echoes. Numbers that only grow come
+// last: they may differ from slice to slice.
+inline constexpr std::array<std::string_view, 8> kMomentNames = {
+    "TemporalPositionIdentifier", "TriggerTime",     "EchoTime",    "DiffusionBValue",
+    "AcquisitionNumber",          "AcquisitionTime", "ContentTime", "InstanceNumber"};
+using DicomMoment = std::array<std::optional<double>, kMomentNames.size()>;
+
 // The place of a frame, and the meaning of its samples, as far as they are given.
 struct DicomPlane {
   std::optional<Vec3> position{};                   // of the first sample
   std::optional<std::array<Vec3, 2>> directions{};  // of x, along a row, and of y
-  std::optional<std::array<double, 2>> spacing{};   // along x and y
-  std::optional<double> distance{};                 // SpacingBetweenSlices
+  std::optional<std::array<double, 2>> spacing{};   // along x and y, positive
+  std::optional<double> distance{};                 // SpacingBetweenSlices, not 0
+  std::optional<double> thickness{};                // SliceThickness, positive
+  std::optional<double> location{};                 // SliceLocation
   std::optional<double> slope{}, intercept{};
+  DicomMoment moment{};
+
+  std::optional<double> instance_number() const { return moment.back(); }
 
   // pre: directions.
   bool is_right_angled() const {
@@ -39,11 +52,13 @@ enum class DicomCoding : std::uint8_t { plain, rle, jpeg };
 
 struct DicomFile {
   Bytes bytes;
-  std::string fault;   // why the samples are not read, or empty
-  std::string series;  // SeriesInstanceUID
+  std::string fault;     // why the samples are not read, or empty
+  std::string series;    // SeriesInstanceUID
+  std::string instance;  // SOPInstanceUID
   std::string description;
   std::int64_t series_number = std::numeric_limits<std::int64_t>::max();  // without one it is last
   std::string photometric;
+  std::string image_type;
   int columns = 0, rows = 0;
   std::int64_t frame_count = 1;
   int samples_per_pixel = 1;
@@ -58,7 +73,8 @@ struct DicomFile {
   std::vector<double> frame_offsets;  // along the normal, or none
   std::vector<int> frame_slices;      // of nuclear medicine, the numbers of their slices; or none
 
-  std::span<const std::byte> pixels;  // if they are plain
+  // If they are plain; there may be more of them than the frames need.
+  std::span<const std::byte> pixels;
   // Else of each frame; only JPEG has several for one frame.
   std::vector<std::vector<std::span<const std::byte>>> fragments;
 
@@ -70,6 +86,12 @@ struct DicomFile {
   SampleType type() const;
   std::size_t frame_size() const {
     return size_of(type()) * static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
+  }
+  // Returns the number of bytes behind the samples.
+  std::size_t padding() const {
+    return coding == DicomCoding::plain
+               ? pixels.size() - frame_size() * static_cast<std::size_t>(frame_count)
+               : 0;
   }
   // Returns the frame's plane, with what all frames have in common.
   DicomPlane plane(std::size_t frame) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 #include "base/text.h"
@@ -12,8 +13,9 @@
 namespace deliso {
 namespace {
 
-// In a message, which has some 500 bytes.
-constexpr std::uint64_t kSeriesListed = 5;
+// Bytes of a list in a message, with the folder's name, and of one description. A message has some
+// 500.
+constexpr std::size_t kLongestList = 380, kLongestName = 40;
 
 // Files whose images are of one series, size, orientation and spacing.
 struct Stack {
@@ -21,11 +23,15 @@ struct Stack {
   std::int64_t images = 0;
 
   const DicomFile& first() const { return files[0]; }
-  // True unless the images are too few, in color, or without their places.
-  bool may_be_volume() const {
+  // Returns how doubtful it is that the images are a volume, from 0 on, and why.
+  std::pair<int, const char*> doubt() const {
     const DicomPlane plane = first().plane(0);
     const bool is_placed = (plane.position && plane.directions) || first().frame_count > 1;
-    return images > 1 && first().is_gray() && plane.spacing && is_placed;
+    if (images < 2) return {2, ""};
+    if (!first().is_gray()) return {2, ", in color"};
+    if (!plane.spacing) return {1, ", no PixelSpacing"};
+    if (!is_placed) return {1, ", no positions"};
+    return {0, ""};
   }
 };
 
@@ -59,8 +65,9 @@ std::vector<Stack> stacks_of(std::vector<DicomFile> files) {
     stack->images += file.frame_count;
     stack->files.push_back(std::move(file));
   }
-  std::ranges::stable_sort(stacks, {},
-                           [](const Stack& stack) { return stack.first().series_number; });
+  std::ranges::stable_sort(stacks, {}, [](const Stack& stack) {
+    return std::pair(stack.doubt().first, stack.first().series_number);
+  });
   return stacks;
 }
 
@@ -68,28 +75,68 @@ std::string path_within(const VolumeInput& input, const DicomFile& file) {
   return std::filesystem::path(file.name()).lexically_relative(input.name()).string();
 }
 
+// Returns the files without images that are there twice, as in an export beside another one.
+std::vector<DicomFile> without_copies(const VolumeInput& input, std::vector<DicomFile> files) {
+  // Some programs give all images of a series the same name: then they have different places.
+  const auto is_same = [](const DicomFile& a, const DicomFile& b) {
+    const DicomPlane p = a.plane(0), q = b.plane(0);
+    return p.position == q.position && p.moment == q.moment &&
+           (p.position || std::ranges::equal(a.pixels, b.pixels));
+  };
+  std::vector<DicomFile> kept;
+  std::map<std::string, std::size_t> places;  // of instances in `kept`
+  std::string note;
+  for (DicomFile& file : files) {
+    const auto [known, is_new] = places.try_emplace(file.instance, kept.size());
+    if (is_new || file.instance.empty() || !is_same(file, kept[known->second])) {
+      kept.push_back(std::move(file));
+    } else if (note.empty()) {
+      note = text("left out '", path_within(input, file), "', the same image (SOPInstanceUID) as '",
+                  path_within(input, kept[known->second]), "'");
+    }
+  }
+  const std::size_t more = files.size() - kept.size();
+  if (more > 0) input.note(note, more > 1 ? text(", and ", more - 1, " more copies") : "");
+  return kept;
+}
+
+std::string line_of(const VolumeInput& input, const Stack& stack) {
+  const DicomFile& first = stack.first();
+  std::string name = first.description;
+  if (name.size() > kLongestName) name = name.substr(0, kLongestName - 3) + "...";
+  return one_line(text(quote(name), ", ", stack.images, stack.images == 1 ? " image" : " images",
+                       " of ", first.columns, " x ", first.rows, stack.doubt().second, " ('",
+                       path_within(input, first), "')"));
+}
+
+[[noreturn]] void refuse_choice(const VolumeInput& input, const std::vector<Stack>& stacks) {
+  std::vector<std::string> lines;
+  for (const Stack& stack : stacks) lines.push_back(line_of(input, stack));
+  std::string list;
+  std::size_t listed = 0;
+  for (; listed < lines.size(); ++listed) {
+    const std::string line = text(listed > 0 ? "; " : "", listed + 1, " is ", lines[listed]);
+    if (listed > 0 && input.name().size() + list.size() + line.size() > kLongestList) break;
+    list += line;
+  }
+  if (listed < lines.size()) {
+    list += text("; and ", lines.size() - listed, " more, which 'deliso info' lists");
+  }
+  throw SeveralSeries(std::move(lines), input.name(), ": holds ", stacks.size(),
+                      " series, of which --series N takes one: ", list);
+}
+
 }  // namespace
 
 ChosenSeries choose_series(const VolumeInput& input, std::vector<DicomFile> files) {
-  std::vector<Stack> stacks = stacks_of(std::move(files));
-  const bool has_volume = std::ranges::any_of(stacks, &Stack::may_be_volume);
-  std::string list;
-  std::uint64_t count = 0, number = input.options.series.value_or(1);
-  Stack* chosen = nullptr;
-  for (Stack& stack : stacks) {
-    if (has_volume && !stack.may_be_volume()) continue;
-    if (++count == number) chosen = &stack;
-    if (count > kSeriesListed) continue;
-    const DicomFile& first = stack.first();
-    list += text(count > 1 ? "; " : "", count, " is ", quote(first.description), ", ", stack.images,
-                 " images of ", first.columns, " x ", first.rows, " ('", path_within(input, first),
-                 "')");
+  std::vector<Stack> stacks = stacks_of(without_copies(input, std::move(files)));
+  // The only one among the least doubtful.
+  const bool is_clear = stacks.size() == 1 || stacks[0].doubt().first < stacks[1].doubt().first;
+  const std::uint64_t number = input.options.series.value_or(1);
+  if ((!is_clear && !input.options.series) || number < 1 || number > stacks.size()) {
+    refuse_choice(input, stacks);
   }
-  if (!chosen || (count > 1 && !input.options.series)) {
-    const std::string more =
-        count > kSeriesListed ? text("; and ", count - kSeriesListed, " more") : "";
-    fail(input.name(), "holds ", count, " series, of which --series N takes one: ", list, more);
-  }
+  const Stack* const chosen = &stacks[number - 1];
   ChosenSeries series;
   std::size_t left_out = 0;
   for (const Stack& stack : stacks) {
@@ -102,7 +149,7 @@ ChosenSeries choose_series(const VolumeInput& input, std::vector<DicomFile> file
   }
   if (left_out > 1) series.left_out += text(" and ", left_out - 1, " more");
   if (left_out > 0) series.left_out += ": of another series, size, spacing or orientation";
-  series.files = std::move(chosen->files);
+  series.files = std::move(stacks[number - 1].files);
   return series;
 }
 

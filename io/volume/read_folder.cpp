@@ -60,7 +60,6 @@ Images images_of(const std::vector<std::string>& paths, bool (*is_dicom)(const B
 }  // namespace
 
 Volume read_folder(const VolumeInput& input) {
-  choose_volume(input.name(), input.options, {});
   namespace fs = std::filesystem;
   auto [dicom, tiff, others] =
       images_of(files_in<fs::directory_iterator>(input.name()), looks_like_dicom);
@@ -85,6 +84,7 @@ Volume read_folder(const VolumeInput& input) {
   }
   if (dicom.empty()) {
     refuse_series(input.name(), input.options);
+    choose_volume(input.name(), input.options, {});
     return read_tiff_slices(input, std::move(tiff));
   }
   note_place(input);

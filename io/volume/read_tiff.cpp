@@ -284,21 +284,6 @@ Volume calibrated(const VolumeInput& input, const Description& description, Volu
   return scaled_volume(input, volume, slope, intercept);
 }
 
-// Returns `name` with its numbers filled up with zeros: in the order of these, slice2 comes before
-// slice10.
-std::string with_long_numbers(std::string_view name) {
-  constexpr std::string_view kDigits = "0123456789";
-  std::string out;
-  while (!name.empty()) {
-    const std::size_t digits = std::min(name.find_first_not_of(kDigits), name.size());
-    if (digits > 0 && digits < 20) out.append(20 - digits, '0');
-    const std::size_t end = std::min(name.find_first_of(kDigits, digits), name.size());
-    out += name.substr(0, end);
-    name.remove_prefix(end);
-  }
-  return out;
-}
-
 }  // namespace
 
 bool looks_like_tiff(const Bytes& bytes) {

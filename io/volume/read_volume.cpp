@@ -28,7 +28,7 @@ constexpr Format kFormats[] = {{looks_like_nrrd, read_nrrd, false, true},
                                {looks_like_nifti, read_nifti, false, true},
                                {looks_like_vti, read_vti, true},
                                {looks_like_npy, read_npy, false, false, false},
-                               {looks_like_dicom, read_dicom},
+                               {looks_like_dicom, read_dicom, false, true},
                                {looks_like_tiff, read_tiff, false, true, false},
                                {looks_like_metaimage, read_metaimage, false, true}};
 
@@ -123,6 +123,7 @@ SampleGrid grid_of(const VolumeInput& input) {
   SampleGrid grid;
   grid.name = input.name();
   grid.read = input.options;
+  grid.is_of_file = true;
   return grid;
 }
 

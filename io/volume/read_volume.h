@@ -29,10 +29,10 @@
 //    meters and micrometers become millimeters, which the unit is in these spaces.
 // 4. Refused with a message, never guessed:
 //    - other 64-bit integers, complex samples, several components;
-//    - several channels or times, if no option chooses one;
+//    - several channels or times, if no option chooses one (SeveralVolumes);
 //    - sheared grids: axes not at right angles within 1e-4;
 //    - data of another size than in the header, more than one data file or piece;
-//    - DICOM slices that are missing or double; several series, if the options name none;
+//    - DICOM slices that are missing; several series, if the options name none (SeveralSeries);
 //    - TIFF slices of different sizes or types;
 //    - pictures in color, JPEG that loses detail, JPEG 2000 and other codecs of pictures;
 //    - bzip2, hex, lz4 and lzma encodings.
@@ -51,8 +51,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "base/check.h"
 #include "base/vec3.h"
 #include "io/files/expansion_budget.h"
 #include "io/files/input_file.h"
@@ -120,6 +122,19 @@ struct ReadLog {
     for (const FileState& file : files) paths.push_back(file.path);
     return paths;
   }
+};
+
+// Thrown for a file of several channels or times, if the options choose none.
+struct SeveralVolumes : InputError {
+  using InputError::InputError;
+};
+
+// Thrown for a folder of several series, if the options name none of them. A line for each, which
+// --series counts from 1.
+struct SeveralSeries : InputError {
+  SeveralSeries(std::vector<std::string> lines, const auto&... message)
+      : InputError(message...), series(std::move(lines)) {}
+  std::vector<std::string> series;
 };
 
 // Returns the volume of `input`: a path of a file or of a folder of slices (DICOM, TIFF), "-"

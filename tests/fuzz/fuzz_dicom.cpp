@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A file of several frames; or, behind kDetached, a second slice of a folder.
+// A file of several frames; or, with kDetached between them, the slices of a folder.
+#include <algorithm>
+
 #include "fuzz/reader_target.h"
 #include "io/volume/dicom_file.h"
 
@@ -16,27 +18,47 @@ bool is_vast(std::string_view file) {
   }
 }
 
+// Reads the path as it is, and with all that may be given in place of what files lack.
+void read_both_ways(const std::string& path) {
+  for (const bool is_given : {false, true}) {
+    deliso::ReadOptions options;
+    if (is_given) {
+      options.spacing = deliso::Vec3{1, 2, 3};
+      options.series = 1;
+      options.time = 2;
+    }
+    try {
+      deliso::fuzz::check(read_volume(path, options));
+    } catch (const deliso::InputError& error) {
+      deliso::fuzz::check(error);
+    }
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace deliso;
   using namespace deliso::fuzz;
-  const std::string_view all(reinterpret_cast<const char*>(bytes), size);
-  const std::size_t cut = all.find(kDetached);
-  if (is_vast(all.substr(0, cut))) return 0;
-  if (cut == std::string_view::npos) {
+  constexpr std::size_t kMostFiles = 16;
+  std::string_view rest(reinterpret_cast<const char*>(bytes), size);
+  std::vector<std::string_view> files;
+  while (!rest.empty() && files.size() < kMostFiles) {
+    const std::size_t cut = std::min(rest.find(kDetached), rest.size());
+    files.push_back(rest.substr(0, cut));
+    rest.remove_prefix(std::min(cut + kDetached.size(), rest.size()));
+  }
+  if (std::ranges::any_of(files, is_vast)) return 0;
+  if (files.size() == 1) {
     run_reader(bytes, size, "v.dcm", "v.data", read_dicom);
     return 0;
   }
-  if (is_vast(all.substr(cut + kDetached.size()))) return 0;
   const std::string series = folder() + "series";
+  std::filesystem::remove_all(series);
   std::filesystem::create_directories(series);
-  std::ofstream(series + "/1", std::ios::binary) << all.substr(0, cut);
-  std::ofstream(series + "/2", std::ios::binary) << all.substr(cut + kDetached.size());
-  try {
-    check(read_volume(series));
-  } catch (const InputError& error) {
-    check(error);
+  for (std::size_t n = 0; n < files.size(); ++n) {
+    std::ofstream(series + "/" + std::to_string(n), std::ios::binary) << files[n];
   }
+  read_both_ways(series);
   return 0;
 }

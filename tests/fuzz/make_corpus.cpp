@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/random.h"
+#include "base/text.h"
 #include "fuzz/reader_target.h"
 #include "io/files/jpeg_writer.h"
 #include "io/mesh/containers.h"
@@ -58,11 +59,29 @@ void add_volumes(Corpus& corpus) {
     }
   }
   for (const bool binary : {false, true}) corpus.add("vtk", vtk_of_many(binary));
-  const Truth slices = random_truth(SampleType::i16, {4, 3, 2}, 17);
+  // Series: even, uneven, of two times, tilted, and without places.
+  const Truth slices = random_truth(SampleType::i16, {4, 3, 6}, 17);
   for (const DicomForm& form : {DicomForm{}, DicomForm{.coding = DicomForm::Coding::rle}}) {
-    corpus.add("dicom", dicom_file(form, dicom_image(slices, form, 0, 1)) +
-                            std::string(fuzz::kDetached) +
-                            dicom_file(form, dicom_image(slices, form, 1, 1)));
+    for (int kind = 0; kind < 5; ++kind) {
+      std::string series;
+      for (int k = 0; k < 6; ++k) {
+        DicomElements slice = dicom_image(slices, form, k, 1);
+        const double places[] = {1.0 * k, k > 2 ? k - 0.4 : k, 1.0 * (k % 3), 1.0 * k, 1.0 * k};
+        slice[0x00200032] = dicom_vector({kind == 3 ? 0.7 * k : 0, 0, places[kind]});
+        slice[0x00080018] = {"UI", text("1.2.", k)};
+        slice[0x00200013] = {"IS", text(k)};
+        slice[0x00200100] = {"IS", text(k / 3)};
+        slice[0x00200037] = {"DS", "1\\0\\0\\0\\1\\0"};
+        if (kind == 4) {
+          slice.erase(0x00200032);
+          slice.erase(0x00200037);
+          slice[0x00180050] = {"DS", "3"};
+          slice[0x7fe00010].value += form.is_packed() ? "" : "padding ";
+        }
+        series += (k > 0 ? std::string(fuzz::kDetached) : "") + dicom_file(form, slice);
+      }
+      corpus.add("dicom", series);
+    }
   }
   for (int n = 0; n < 16; ++n) {
     JpegImage image{16, 4, 2 + n};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "base/random.h"
 #include "base/text.h"
@@ -180,9 +181,9 @@ TEST_CASE("each fault of a series has its message, with the file") {
         "series/e.dcm: has the same place (ImagePositionPatient) as 'b.dcm'");
   CHECK(with(0x00200032, place(9)) ==
         "series/a: slices are missing before it: it lies 6, where others have 3, from 'b.dcm'");
-  CHECK(with(0x00200032, place(2.25)).starts_with("series/e.dcm: lies 0.75"));
-  CHECK(with(0x00200032, dicom_vector(truth.origin + 2 * truth.step(2) + truth.step(0)))
-            .starts_with("series/e.dcm: lies 0.5"));
+  CHECK(with(0x00200032, place(2.25)) == "");
+  CHECK(with(0x00200032, dicom_vector(truth.origin + 2 * truth.step(2) + truth.step(0))) ==
+        "series/e.dcm: lies 0.5 aside of the line through the first slice and the last");
   CHECK(with(0x00200032, {"DS", "  "}) == "series/e.dcm: has no ImagePositionPatient");
   CHECK(with(0x00200032, {"DS", "1\\2"}) ==
         "series/e.dcm: its ImagePositionPatient is '1\\2', not 3 numbers");
@@ -196,8 +197,14 @@ TEST_CASE("each fault of a series has its message, with the file") {
         std::string::npos);
   CHECK(with(0x0020000e, {"UI", "1.2.4"}) == missing);
   CHECK(with(0x00280030, {"DS", "1.25\\0.6"}) == missing);
-  CHECK(with(0x00280030, {"DS", ""}) == "series/e.dcm: has no PixelSpacing");
-  CHECK(with(0x00280011, number(3)).starts_with("series/e.dcm: has 24 bytes of samples: "));
+  for (const char* bad : {"", "0\\1", "1\\-1", "nan\\nan", "1", "one\\two"}) {
+    CHECK(with(0x00280030, {"DS", bad}) ==
+          "series/e.dcm: has no valid PixelSpacing: --spacing SX,SY,SZ gives it");
+  }
+  CHECK(with(0x00280011, number(3)) == missing);  // its samples are too long, and left out
+  CHECK(with(0x00280011, number(5)).starts_with("series/e.dcm: has 24 bytes of samples: "));
+  CHECK(with(0x00080008, {"CS", "ORIGINAL\\PRIMARY\\M\\MOSAIC"}).find("is a mosaic, as Siemens") !=
+        std::string::npos);
   CHECK(with(0x00280010, number(0)) == "series/e.dcm: does not tell its Rows and Columns");
   CHECK(with(0x00280103, number(1)) == "series/e.dcm: has samples of type int16, unlike 'a'");
   CHECK(with(0x00280004, {"CS", "MONOCHROME1"}) == "series/e.dcm: is MONOCHROME1, unlike 'a'");
@@ -384,7 +391,12 @@ TEST_CASE("frames of nuclear medicine are placed by the numbers of their slices"
               truth.bytes[static_cast<std::size_t>(n % 12 + 12 * frames[n / 12])]));
   }
   CHECK(read_message(with({1, 2, 3, 1, 2}))
-            .ends_with("v.dcm, frame 4: has the same place (ImagePositionPatient) as frame 1"));
+            .ends_with("v.dcm, frame 3: has a place (ImagePositionPatient) with 1 slice, where "
+                       "others have 2"));
+  CHECK(read_message(with({1, 1, 2, 3, 4}))
+            .ends_with("v.dcm, frame 2: has the same place (ImagePositionPatient) as frame 1"));
+  CHECK(read_message(with({1, 1, 1, 1, 1}))
+            .ends_with("v.dcm: all its slices have the same place (ImagePositionPatient)"));
   CHECK(read_message(with({1, 2, 3})) == "v.dcm: has the offsets of 3 frames, and 5 frames");
 }
 
@@ -411,12 +423,13 @@ TEST_CASE("a folder of several series lists them, and one of them is taken") {
   folder.write("disk/DICOMDIR", dicom_file({}, {{0x00041130, {"CS", "DISK"}}}));
 
   const std::string list =
-      "holds 2 series, of which --series N takes one: 1 is 'Head', 5 images of 4 x 3 "
-      "('b/head/0'); 2 is 'Chest ? 1.0', 4 images of 5 x 3 ('a/0')";
+      "holds 4 series, of which --series N takes one: 1 is 'Head', 5 images of 4 x 3 "
+      "('b/head/0'); 2 is 'Chest ? 1.0', 4 images of 5 x 3 ('a/0'); 3 is 'Scout', 1 image of "
+      "9 x 9 ('a/scout'); 4 is 'Chest', 1 image of 5 x 3 ('a/side')";
   CHECK(read_message(folder.path("disk")) == "disk: " + list);
   CHECK(read_message(folder.path("disk/DICOMDIR")).ends_with("disk: " + list));
   ReadOptions options;
-  for (const std::uint64_t beyond : {0, 3}) {
+  for (const std::uint64_t beyond : {0, 5}) {
     options.series = beyond;
     CHECK(read_message(folder.path("disk"), options) == "disk: " + list);
   }
@@ -451,7 +464,8 @@ TEST_CASE("a folder of several series lists them, and one of them is taken") {
         std::string::npos);
 }
 
-TEST_CASE("of many series the first are listed, and the others counted") {
+// A message is cut after 500 bytes, in the middle of a list.
+TEST_CASE("of many series a message has the first, and all are listed") {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path("disk"));
   for (int series = 1; series <= 40; ++series) {
@@ -459,13 +473,23 @@ TEST_CASE("of many series the first are listed, and the others counted") {
       DicomElements elements = dicom_image(oblique_truth(SampleType::u8), {}, k, 1);
       elements[0x0020000e] = {"UI", text("1.2.", series)};
       elements[0x00200011] = {"IS", text(series)};
+      elements[0x0008103e] = {"LO", std::string(500, 'x')};
       folder.write(text("disk/", series, "-", k), dicom_file({}, elements));
     }
   }
   const std::string message = read_message(folder.path("disk"));
   CHECK(message.starts_with("disk: holds 40 series, of which --series N takes one: 1 is "));
-  CHECK(message.find("; 5 is ") != std::string::npos);
-  CHECK(message.ends_with("('5-0'); and 35 more"));
+  CHECK(message.ends_with(" more, which 'deliso info' lists"));
+  CHECK(message.find("[...]") == std::string::npos);
+  CHECK(message.size() > 300);
+  std::vector<std::string> lines;
+  try {
+    read_volume(folder.path("disk"));
+  } catch (const SeveralSeries& several) {
+    lines = several.series;
+  }
+  REQUIRE(lines.size() == 40);
+  CHECK(lines[39] == "'" + std::string(37, 'x') + "...', 2 images of 4 x 3 ('40-0')");
   ReadOptions options;
   options.series = 40;
   CHECK(read_volume(folder.path("disk"), options).dims().k == 2);
@@ -538,11 +562,16 @@ TEST_CASE("slices of a tilted gantry are resampled upright") {
     }
     ReadLog log;
     const Volume volume = read_volume(series, {}, &log);
-    const bool is_tilted = shifts[0] != 0 || shifts[1] != 0;
+    const bool is_tilted = 4 * std::abs(shifts[0]) > 0.5 || 4 * std::abs(shifts[1]) > 0.5;
     REQUIRE(log.notes.size() == (is_tilted ? 1 : 0));
     CHECK(volume.type() == (is_tilted ? SampleType::f32 : truth.type));
     const Index3 dims = volume.dims();
     REQUIRE(dims.k == kSlices);
+    if (!is_tilted) {  // positions that are rounded
+      CHECK(dims == truth.dims);
+      CHECK(bytes_of_samples(volume) == truth.bytes);
+      continue;
+    }
     CHECK(dims.i == static_cast<int>(std::ceil(sides[0] - 1e-6)));
     CHECK(dims.j == static_cast<int>(std::ceil(sides[1] - 1e-6)));
     int inside = 0;
@@ -573,6 +602,346 @@ TEST_CASE("slices of a tilted gantry are resampled upright") {
   }
 }
 
+// 256 rows became 257, of another type, and values in between: "tilted by 0 degrees".
+TEST_CASE("positions that are rounded are no tilt") {
+  const TemporaryFolder folder;
+  Truth truth = oblique_truth(SampleType::i16);
+  const double angle = 0.3;
+  truth.axes = {Vec3{std::cos(angle), std::sin(angle), 0}, Vec3{0, 0, -1},
+                Vec3{-std::sin(angle), std::cos(angle), 0}};
+  truth.spacing = {0.05, 0.05, 3};  // half a sample is far below the rounding
+  const auto rounded = [&](int k) {
+    Vec3 place = truth.origin + k * truth.step(2);
+    for (int axis = 0; axis < 3; ++axis) place[axis] = std::round(place[axis] * 10) / 10;
+    return dicom_vector(place);
+  };
+  const std::string series = write_series(folder, truth, {}, [&](int k, DicomElements& elements) {
+    elements[0x00200032] = rounded(k);
+  });
+  DicomElements frames = dicom_image(truth, {}, 0, kSlices);
+  std::vector<DicomElements> groups;
+  for (int k = 0; k < kSlices; ++k) {
+    groups.push_back({{0x00209113, dicom_sequence({}, {{{0x00200032, rounded(k)}}})}});
+  }
+  frames[0x52009230] = dicom_sequence({}, groups);
+  for (const std::string& path : {series, folder.write("v.dcm", dicom_file({}, frames))}) {
+    ReadLog log;
+    const Volume volume = read_volume(path, {}, &log);
+    CHECK(volume.dims() == truth.dims);
+    CHECK(bytes_of_samples(volume) == truth.bytes);
+    for (const std::string& note : log.notes) CHECK(note.find("tilted") == std::string::npos);
+    CHECK(dot(volume.frame().axes[2], volume.frame().axes[0]) == doctest::Approx(0).epsilon(1e-9));
+  }
+}
+
+// They had to be resampled by another program, which was not named.
+TEST_CASE("uneven slices are interpolated, exactly if the field is linear") {
+  const TemporaryFolder folder;
+  struct Case {
+    std::vector<double> heights;
+    double step;  // 0 if the series is refused
+    const char* message = "";
+  };
+  const Case cases[] = {
+      {{0, 1, 2.25, 3, 4}, 4.0 / 5, "from 0.75 to 1.25 apart: they are interpolated in even steps"},
+      {{0, 1, 3, 5, 7}, 1, "from 1 to 2 apart"},
+      {{0, 0.1, 1.1, 2.1, 3.1}, 3.1 / 16, "from 0.1 to 1 apart"},
+      {{0, 1, 2, 4, 5}, 0, "slices are missing before it: it lies 2, where others have 1"},
+      {{0, 2, 4, 5, 6}, 0, "slices are missing before it"}};
+  Truth truth = oblique_truth(SampleType::i16);
+  truth.spacing.z = 1;
+  for (const bool is_tilted : {false, true}) {
+    for (const auto& [heights, step, message] : cases) {
+      CAPTURE(message);
+      const auto field = [](double i, double j, double z) { return 90 + 8 * i - 16 * j - 40 * z; };
+      for (int n = 0; n < 60; ++n) {
+        const auto value = static_cast<std::int16_t>(
+            field(n % 4, n / 4 % 3, heights[static_cast<std::size_t>(n / 12)]));
+        std::memcpy(&truth.bytes[static_cast<std::size_t>(2 * n)], &value, 2);
+      }
+      const Vec3 up = truth.axes[2] + (is_tilted ? 0.5 : 0) * truth.step(0);
+      const std::string series = write_series(folder, truth, {}, [&](int k, DicomElements& e) {
+        e[0x00200032] = dicom_vector(truth.origin + heights[static_cast<std::size_t>(k)] * up);
+      });
+      if (step == 0) {
+        CHECK(read_message(series).find(message) != std::string::npos);
+        continue;
+      }
+      ReadLog log;
+      const Volume volume = read_volume(series, {}, &log);
+      REQUIRE(log.notes.size() == (is_tilted ? 2 : 1));
+      CHECK(log.notes[0].find(message) != std::string::npos);
+      CHECK(volume.spacing().z == doctest::Approx(step).epsilon(1e-12));
+      CHECK(volume.type() == SampleType::f32);
+      const Index3 dims = volume.dims();
+      int inside = 0;
+      for (int n = 0; n < dims.i * dims.j * dims.k; ++n) {
+        const Index3 at{n % dims.i, n / dims.i % dims.j, n / dims.i / dims.j};
+        const double z = at.k * step, i = at.i - (is_tilted ? 0.5 * z : 0);
+        if (i < -1e-9 || i > 3 + 1e-9) continue;
+        ++inside;
+        CHECK(std::abs(volume.sample(at.i, at.j, at.k) - field(i, at.j, z)) < 1e-3);
+      }
+      CHECK(inside >= 3 * 3 * dims.k);
+      // A spacing that is given stands.
+      ReadOptions options;
+      options.spacing = Vec3{1, 2, 3};
+      if (!is_tilted) CHECK(bytes_of_samples(read_volume(series, options)) == truth.bytes);
+    }
+  }
+}
+
+TEST_CASE("a scan that is coarser from some place on lacks no slices") {
+  const TemporaryFolder folder;
+  const Truth truth = random_truth(SampleType::u8, {4, 3, 9}, 3);
+  const DicomForm form{.place = DicomForm::Place::offsets};
+  const auto with = [&](const std::vector<double>& offsets, ReadLog* log) {
+    DicomElements elements = dicom_image(truth, form, 0, 9);
+    elements[0x3004000c] = dicom_numbers(offsets);
+    return read_volume(folder.write("v.dcm", dicom_file(form, elements)), {}, log);
+  };
+  ReadLog log;
+  const Volume volume = with({0, 1, 2, 3, 4, 5, 7, 9, 11}, &log);
+  CHECK(volume.dims() == Index3{4, 3, 12});
+  CHECK(log.notes[0].find("uneven, from 1 to 2 apart") != std::string::npos);
+  CHECK(volume.sample(1, 2, 5) == static_cast<std::uint8_t>(truth.bytes[1 + 4 * (2 + 3 * 5)]));
+  CHECK_THROWS_AS(with({0, 1, 2, 3, 4, 5, 6, 8, 10}, nullptr), InputError);
+}
+
+// All of these were refused, and --spacing was not looked at.
+TEST_CASE("slices without places, directions or spacings are read, with a note or an option") {
+  const TemporaryFolder folder;
+  const Truth truth = oblique_truth(SampleType::i16);
+  constexpr std::uint32_t kPosition = 0x00200032, kDirections = 0x00200037, kSpacing = 0x00280030,
+                          kDistance = 0x00180088, kThickness = 0x00180050, kLocation = 0x00201041,
+                          kNumber = 0x00200013;
+  ReadOptions given;
+  given.spacing = Vec3{2, 3, 4};
+  ReadLog log;
+  const auto series_without = [&](const std::vector<std::uint32_t>& tags,
+                                  const DicomElements& more = {}) {
+    return write_series(folder, truth, {}, [&](int k, DicomElements& elements) {
+      for (const std::uint32_t tag : tags) elements.erase(tag);
+      elements[kNumber] = {"IS", text(20 - k)};  // the other way round
+      for (const auto& [tag, element] : more) elements[tag] = element;
+    });
+  };
+  const auto has_note = [&](const char* note) {
+    return std::ranges::any_of(
+        log.notes, [&](const std::string& line) { return line.find(note) != std::string::npos; });
+  };
+  const auto is_reversed = [&](const Volume& volume) {
+    std::string slices;
+    for (std::size_t k = 0; k < kSlices; ++k) slices += truth.bytes.substr(24 * (4 - k), 24);
+    return bytes_of_samples(volume) == slices;
+  };
+  // PixelSpacing alone.
+  std::string series = series_without({kSpacing});
+  CHECK(read_message(series).ends_with("has no valid PixelSpacing: --spacing SX,SY,SZ gives it"));
+  Volume volume = read_volume(series, given);
+  CHECK(volume.spacing() == Vec3{2, 3, 4});
+  CHECK(bytes_of_samples(volume) == truth.bytes);
+  CHECK(distance(volume.frame().axes[2], truth.axes[2]) < 1e-12);
+  CHECK(volume.frame().space == AnatomicalSpace::lps);
+  // No places at all: the order of the instances.
+  series = series_without({kPosition, kDirections});
+  CHECK(read_message(series).ends_with(
+      "does not tell the distance of its slices (SpacingBetweenSlices): --spacing SX,SY,SZ gives "
+      "it"));
+  volume = read_volume(series, given, &log);
+  CHECK(is_reversed(volume));
+  CHECK(volume.spacing() == Vec3{2, 3, 4});
+  CHECK(volume.frame().space == AnatomicalSpace::unknown);
+  CHECK(has_note("has no positions of its slices: they are read in the order of their Instance"));
+  CHECK(has_note("does not tell its position and orientation"));
+  for (const std::uint32_t tag : {kDistance, kThickness}) {
+    log = {};
+    volume =
+        read_volume(series_without({kPosition, kDirections}, {{tag, {"DS", "2.5"}}}), {}, &log);
+    CHECK(is_reversed(volume));
+    CHECK(distance(volume.spacing(), {0.5, 1.25, 2.5}) < 1e-12);
+    CHECK(has_note("it is taken to be their thickness, 2.5") == (tag == kThickness));
+  }
+  // Directions, but no positions.
+  log = {};
+  volume = read_volume(series_without({kPosition}, {{kDistance, {"DS", "3"}}}), {}, &log);
+  CHECK(is_reversed(volume));
+  CHECK(distance(volume.frame().axes[2], truth.axes[2]) < 1e-12);
+  CHECK(has_note("does not tell its position: "));
+  // Locations along the normal.
+  log = {};
+  series = write_series(folder, truth, {}, [&](int k, DicomElements& elements) {
+    elements.erase(kPosition);
+    elements[kLocation] = {"DS", text(7 + 1.5 * k)};
+  });
+  volume = read_volume(series, {}, &log);
+  CHECK(bytes_of_samples(volume) == truth.bytes);
+  CHECK(volume.spacing().z == doctest::Approx(1.5));
+  CHECK(has_note("they are placed by SliceLocation"));
+  // Positions without directions are along z, as those of most scans; others are not looked at.
+  Truth axial = truth;
+  axial.axes = Frame().axes;
+  series = write_series(folder, axial, {},
+                        [&](int, DicomElements& elements) { elements.erase(kDirections); });
+  volume = read_volume(series);
+  CHECK(bytes_of_samples(volume) == truth.bytes);
+  CHECK(distance(volume.frame().origin, truth.origin) < 1e-12);
+  CHECK(volume.frame().space == AnatomicalSpace::unknown);
+  // They stand upright, as far apart as their positions are.
+  axial.axes[2] = {0, 0.6, 0.8};
+  series = write_series(folder, axial, {},
+                        [&](int, DicomElements& elements) { elements.erase(kDirections); });
+  volume = read_volume(series);
+  CHECK(bytes_of_samples(volume) == truth.bytes);
+  CHECK(distance(volume.spacing(), truth.spacing) < 1e-9);
+  CHECK(volume.frame().axes == Frame().axes);
+  CHECK(is_reversed(read_volume(series_without({kDirections}, {{kThickness, {"DS", "3"}}}))));
+  // Frames of one file.
+  DicomElements frames = dicom_image(truth, {.place = DicomForm::Place::stack}, 0, kSlices);
+  for (const std::uint32_t tag : {kPosition, kDirections, kSpacing, kDistance}) frames.erase(tag);
+  const std::string file = folder.write("v.dcm", dicom_file({}, frames));
+  CHECK(read_message(file) == "v.dcm: has no valid PixelSpacing: --spacing SX,SY,SZ gives it");
+  volume = read_volume(file, given);
+  CHECK(bytes_of_samples(volume) == truth.bytes);
+  CHECK(volume.spacing() == Vec3{2, 3, 4});
+}
+
+TEST_CASE("bytes behind the samples are noted, and not read") {
+  const TemporaryFolder folder;
+  const Truth truth = oblique_truth(SampleType::i16);
+  for (const std::size_t padding : {2, 128}) {
+    ReadLog log;
+    const std::string series = write_series(folder, truth, {}, [&](int k, DicomElements& elements) {
+      if (k >= 3) elements[0x7fe00010].value.append(padding, '\x7f');
+    });
+    CHECK(bytes_of_samples(read_volume(series, {}, &log)) == truth.bytes);
+    REQUIRE(log.notes.size() == 1);
+    CHECK(log.notes[0].ends_with(text("'a' and 1 more have up to ", padding,
+                                      " bytes behind the samples, which are not read")));
+  }
+}
+
+TEST_CASE("an image that is there twice is left out, and told") {
+  const TemporaryFolder folder;
+  const Truth truth = oblique_truth(SampleType::i16);
+  const std::string series = write_series(folder, truth, {}, [](int k, DicomElements& elements) {
+    elements[0x00080018] = {"UI", text("1.2.", k)};
+  });
+  std::filesystem::copy(series + "/a", series + "/copy of a");
+  ReadLog log;
+  CHECK(bytes_of_samples(read_volume(series, {}, &log)) == truth.bytes);
+  REQUIRE(log.notes.size() == 1);
+  CHECK(log.notes[0].ends_with(
+      "series: left out 'copy of a', the same image (SOPInstanceUID) as 'a'"));
+  std::filesystem::copy(series + "/b.dcm", series + "/copy of b");
+  read_volume(series, {}, &log);
+  CHECK(log.notes[1].ends_with("as 'a', and 1 more copies"));
+  // Programs that give all images one name write others all the same.
+  CHECK(bytes_of_samples(read_volume(write_series(folder, truth, {}, [](int, DicomElements& e) {
+          e[0x00080018] = {"UI", "1.2"};
+        }))) == truth.bytes);
+}
+
+// "has the same place as" was all that was said of phases, and --time was refused.
+TEST_CASE("slices at one place are of several times, which --time chooses") {
+  const TemporaryFolder folder;
+  constexpr int kTimes = 3;
+  struct Case {
+    const char* name;
+    std::uint32_t tag;
+    const char* vr;
+    // The value at a time and a slice.
+    std::string (*value)(int time, int slice);
+  };
+  const auto by_time = [](int t, int) { return text(10 + t); };
+  const Case cases[] = {
+      {"TemporalPositionIdentifier", 0x00200100, "IS", by_time},
+      {"EchoTime", 0x00180081, "DS", [](int t, int) { return text(2.5 * (t + 1)); }},
+      {"DiffusionBValue", 0x00189087, "FD",
+       [](int t, int) { return little(std::bit_cast<std::uint64_t>(500.0 * t), 8); }},
+      {"AcquisitionNumber", 0x00200012, "IS", by_time},
+      {"TriggerTime", 0x00181060, "DS", [](int t, int k) { return text(40.5 * t + 0.25 * k); }},
+      {"AcquisitionTime", 0x00080032, "TM",
+       [](int t, int k) { return text(120000 + 10 * t + k, ".25"); }},
+      {"InstanceNumber", 0x00200013, "IS", [](int t, int k) { return text(k + kSlices * t); }}};
+  for (const Case& each : cases) {
+    CAPTURE(each.name);
+    std::vector<Truth> truths;
+    std::filesystem::remove_all(folder.path("phases"));
+    std::filesystem::create_directories(folder.path("phases"));
+    for (int t = 0; t < kTimes; ++t) {
+      truths.push_back(oblique_truth(SampleType::i16));
+      truths[static_cast<std::size_t>(t)].bytes =
+          random_truth(SampleType::i16, truths[0].dims, 50 + static_cast<std::uint64_t>(t)).bytes;
+      for (int k = 0; k < kSlices; ++k) {
+        DicomElements elements = dicom_image(truths.back(), {}, k, 1);
+        elements[each.tag] = {each.vr, each.value(t, k)};
+        // The names are in another order.
+        folder.write(text("phases/", (7 * t + 3 * k) % 5, "-", kTimes - t, "-", k),
+                     dicom_file({}, elements));
+      }
+    }
+    const std::string path = folder.path("phases");
+    CHECK(read_message(path) ==
+          text("phases: has 3 times: --time N chooses one, counted from 1, in the order of their ",
+               each.name));
+    CHECK_THROWS_AS(read_volume(path), SeveralVolumes);
+    ReadOptions options;
+    for (int t = 0; t < kTimes; ++t) {
+      options.time = t + 1;
+      ReadLog log;
+      CHECK(bytes_of_samples(read_volume(path, options, &log)) ==
+            truths[static_cast<std::size_t>(t)].bytes);
+      CHECK(log.notes.empty());
+    }
+    options.time = 4;
+    CHECK(read_message(path, options) == "phases: has 3 times, and no time 4");
+    std::filesystem::remove(path + "/0-3-0");
+    CHECK(read_message(path).find("has a place (ImagePositionPatient) with 2 slices, where others "
+                                  "have 3") != std::string::npos);
+  }
+  // Frames of one file.
+  Truth truth = oblique_truth(SampleType::u8);
+  truth.bytes += random_truth(SampleType::u8, truth.dims, 8).bytes;
+  DicomElements frames = dicom_image(truth, {}, 0, 2 * kSlices);
+  std::vector<DicomElements> groups;
+  for (int n = 0; n < 2 * kSlices; ++n) {
+    const Vec3 place = truth.origin + n % kSlices * truth.step(2);
+    groups.push_back(
+        {{0x00209111, dicom_sequence({}, {{{0x00209128, {"UL", little(n < kSlices ? 2 : 1, 4)}}}})},
+         {0x00209113, dicom_sequence({}, {{{0x00200032, dicom_vector(place)}}})}});
+  }
+  frames[0x52009230] = dicom_sequence({}, groups);
+  const std::string file = folder.write("v.dcm", dicom_file({}, frames));
+  CHECK(read_message(file) ==
+        "v.dcm: has 2 times: --time N chooses one, counted from 1, in the order of their "
+        "TemporalPositionIdentifier");
+  ReadOptions options;
+  for (const int time : {1, 2}) {
+    options.time = time;
+    CHECK(bytes_of_samples(read_volume(file, options)) ==
+          truth.bytes.substr(time == 1 ? 60 : 0, 60));
+  }
+  // A volume of one time has no second one.
+  options.time = 2;
+  CHECK(read_message(write_series(folder, oblique_truth(SampleType::u8)), options) ==
+        "series: has 1 time, and no time 2");
+}
+
+TEST_CASE("a picture in color, or one slice that is a mosaic, is told before what it lacks") {
+  const TemporaryFolder folder;
+  const Truth truth = oblique_truth(SampleType::u8);
+  DicomElements frames = dicom_image(truth, {.place = DicomForm::Place::stack}, 0, kSlices);
+  frames.erase(0x00180088);
+  frames[0x00280004] = {"CS", "RGB"};
+  CHECK(read_message(folder.write("v.dcm", dicom_file({}, frames))) ==
+        "v.dcm: is in color ('RGB'): only grayscale can be meshed");
+  DicomElements mosaic = dicom_image(truth, {}, 0, 1);
+  mosaic[0x00080008] = {"CS", "ORIGINAL\\PRIMARY\\MOSAIC"};
+  CHECK(read_message(folder.write("v.dcm", dicom_file({}, mosaic)))
+            .starts_with("v.dcm: is a mosaic, as Siemens writes it"));
+}
+
 TEST_CASE("a file of several frames says where they are") {
   const TemporaryFolder folder;
   const Truth truth = oblique_truth(SampleType::u8);
@@ -585,14 +954,16 @@ TEST_CASE("a file of several frames says where they are") {
   };
   CHECK(with(Place::stack, 0x00180088, {"DS", "3"}) == "");
   CHECK(with(Place::stack, 0x00180088, {"DS", ""}) ==
-        "v.dcm: does not tell the distance of its frames (SpacingBetweenSlices)");
+        "v.dcm: does not tell the distance of its frames (SpacingBetweenSlices): --spacing "
+        "SX,SY,SZ gives it");
   CHECK(with(Place::offsets, 0x3004000c, {"DS", "0\\3\\6\\9"}) ==
         "v.dcm: has the offsets of 4 frames, and 5 frames");
   CHECK(with(Place::offsets, 0x3004000c, {"DS", "0\\3\\6\\9\\9"}) ==
         "v.dcm, frame 5: has the same place (ImagePositionPatient) as frame 4");
   CHECK(with(Place::shared, 0x52009230, dicom_sequence({}, {{}, {}})) ==
         "v.dcm: has the places of 2 frames, and 5 frames");
-  CHECK(with(Place::shared, 0x52009229, dicom_sequence({}, {})) == "v.dcm: has no PixelSpacing");
+  CHECK(with(Place::shared, 0x52009229, dicom_sequence({}, {})) ==
+        "v.dcm: has no valid PixelSpacing: --spacing SX,SY,SZ gives it");
   CHECK(with(Place::shared, 0x00280008, {"IS", "2147483647"}).find("bytes of samples") !=
         std::string::npos);
   // Frames run along the negative normal.
