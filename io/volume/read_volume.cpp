@@ -115,6 +115,7 @@ SampleGrid grid_of(const VolumeInput& input) {
   SampleGrid grid;
   grid.name = input.name();
   grid.read = input.options;
+  grid.is_of_file = true;
   return grid;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/volume/sample_grid.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -17,17 +18,27 @@ bool is_swapped(const SampleGrid& grid) {
   return grid.byte_order != std::endian::native && size_of(grid.type) > 1;
 }
 
-// Splits the steps into spacing and unit axes.
+// Splits the steps into spacing and unit axes. What the options give is in place of the file's own,
+// which may then be missing or bad.
 std::pair<Vec3, Frame> place(const SampleGrid& grid) {
   Vec3 spacing;
-  Frame frame{grid.origin, {}, grid.space};
-  if (grid.read.origin) frame.origin = *grid.read.origin;
+  Frame frame;
+  frame.origin = grid.read.origin.value_or(grid.origin);
+  const bool is_directed = has_directions(grid);
+  if (is_directed) frame.space = grid.space;
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3 step = grid.steps[static_cast<std::size_t>(axis)];
     const double own = length(step), s = grid.read.spacing ? (*grid.read.spacing)[axis] : own;
-    if (!(own > 0 && s > 0)) fail(grid.name, "spacing along ", "xyz"[axis], " is not positive");
+    if (!(s > 0)) {
+      fail(grid.name, "spacing along ", "xyz"[axis], " is not positive",
+           grid.is_of_file && !grid.read.spacing ? kGiveSpacing : "");
+    }
     spacing[axis] = s;
-    frame.axes[static_cast<std::size_t>(axis)] = step / own;
+    if (is_directed) frame.axes[static_cast<std::size_t>(axis)] = step / own;
+  }
+  if (!in_range(frame.origin)) {
+    fail(grid.name, "its origin is further than ", kLargestLength, " away",
+         grid.is_of_file && !grid.read.origin ? kGiveOrigin : "");
   }
   require_in_range(grid.size(), spacing, frame, grid.name);
   for (std::size_t a = 0; a < 3; ++a) {
@@ -140,14 +151,20 @@ void swap_bytes(std::span<std::byte> bytes, std::size_t word_size) {
   if (word_size == 8) swap_words<std::uint64_t>(bytes);
 }
 
-void SampleGrid::set_spacing(const Vec3& spacing) {
+void SampleGrid::set_spacing(const Vec3& own) {
   // A negative spacing would mirror the axis unseen; NaN is refused where the steps are.
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Vec3 other = read.spacing.value_or(Vec3{nan, nan, nan});
   for (int axis = 0; axis < 3; ++axis) {
     Vec3& step = steps[static_cast<std::size_t>(axis)];
     step = {0, 0, 0};
-    step[axis] = spacing[axis] > 0 ? spacing[axis] : nan;
+    step[axis] = own[axis] > 0 ? own[axis] : other[axis];
   }
+}
+
+bool has_directions(const SampleGrid& grid) {
+  return std::ranges::all_of(grid.steps,
+                             [](const Vec3& step) { return in_range(step) && length(step) > 0; });
 }
 
 std::string describe(const SampleGrid& grid) {

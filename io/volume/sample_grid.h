@@ -29,8 +29,9 @@ namespace deliso {
 constexpr double kShearTolerance = 1e-4;
 
 struct SampleGrid {
-  std::string name;    // of the input, for messages
-  ReadOptions read{};  // the region, and the place if it is not the file's
+  std::string name;         // of the input, for messages
+  ReadOptions read{};       // the region, and the place if it is not the file's
+  bool is_of_file = false;  // so messages may name the options
   std::array<std::int64_t, 3> dims{0, 0, 0};
   SampleType type = SampleType::u8;
   std::endian byte_order = std::endian::native;
@@ -52,9 +53,18 @@ struct SampleGrid {
   Index3 size() const {
     return {static_cast<int>(dims[0]), static_cast<int>(dims[1]), static_cast<int>(dims[2])};
   }
-  // Steps along the world's axes. Spacings are checked later, with the steps.
-  void set_spacing(const Vec3& spacing);
+  // Steps along the world's axes, by the file's `own` spacing or, where that is not positive, by
+  // the one that is given. Spacings are checked later, with the steps.
+  void set_spacing(const Vec3& own);
 };
+
+// Ends of messages about a place that is missing or bad: which option gives it.
+inline constexpr const char *kGiveSpacing = ": --spacing SX,SY,SZ gives it",
+                            *kGiveOrigin = ": --origin X,Y,Z gives it";
+
+// True if all steps have a length, and so a direction. Without one a spacing must be given, and the
+// axes are the world's.
+bool has_directions(const SampleGrid& grid);
 
 // Reverses the bytes of each word of 2, 4 or 8 bytes.
 void swap_bytes(std::span<std::byte> bytes, std::size_t word_size);

@@ -62,9 +62,9 @@ dimension: 3 -> dimension: 4 && 2 3 4 -> 3 2 2 2 | has 2 times: --time N chooses
 dimension: 3 -> dimension: 5 && 2 3 4 -> 3 2 2 2 2 | sizes '3 2 2 2 2' are 5-dimensional: only three-dimensional scalar volumes can be meshed
 dimension: 3 -> dimension: 4\nkinds: list domain domain domain && 2 3 4 -> 9 2 3 4 | has 9 channels: --channel N chooses one, counted from 1
 dimension: 3 -> dimension: 4\nkinds: list domain domain domain && 2 3 4 -> 0 2 3 4 | has 0 channels: --channel N chooses one, counted from 1
-set spacings: 1 1 0 | spacing along z is not positive
-set spacings: 1 -1 1 | spacing along y is not positive
-set spacings: nan 1 1 | spacing along x is not positive
+set spacings: 1 1 0 | spacing along z is not positive: --spacing SX,SY,SZ gives it
+set spacings: 1 -1 1 | spacing along y is not positive: --spacing SX,SY,SZ gives it
+set spacings: nan 1 1 | spacing along x is not positive: --spacing SX,SY,SZ gives it
 set spacings: 1 inf 1 | spacing inf along y is out of range (from 1e-20, ...
 set spacings: 1 1e40 1 | spacing 1e+40 along y is out of range (from 1e-20, ...
 set spacings: 1 1e-40 1 | spacing 1e-40 along y is out of range (from 1e-20, ...
@@ -72,7 +72,7 @@ set spacings: 1 1 | field 'spacings' is '1 1': not 3 numbers
 set space directions: (1,0,0) (0,1,0) | field 'spacedirections' is '(1,0,0) (0,1,0)': not 3 vectors of three numbers
 set space directions: (1,0,0) (0,1,0) none | field 'spacedirections' is '(1,0,0) (0,1,0) none': an axis is not spatial
 set space directions: (1,0,0) (0,1,0) (0,0) | ...not 3 vectors...
-set space directions: (1,0,0) (0,1,0) (0,0,0) | spacing along z is not positive
+set space directions: (1,0,0) (0,1,0) (0,0,0) | spacing along z is not positive: --spacing SX,SY,SZ gives it
 set space directions: (1,0,0) (1,1,0) (0,0,1) | sheared grid: its axes x and y enclose 45.000000 degrees; only rectangular grids can be meshed (resample it)
 set space directions: (1,0,0) (0,1,0) (0,0.00009,1) | ok
 set space directions: (1,0,0) (0,1,0) (0,0.00011,1) | ...y and z...
@@ -104,7 +104,7 @@ NDims = 3 -> NDims = 4 && DimSize = 2 3 4 -> DimSize = 2 3 2 2 | has 2 times: --
 DimSize = 2 3 4 -> DimSize = 2 3 5 | data is too short: 2 x 3 x 5 int16 samples need 60 bytes, found 48
 NDims = 3 -> ElementNumberOfChannels = 3\nNDims = 3 | has 3 channels: --channel N chooses one, counted from 1
 NDims = 3 -> NDims = 5 && DimSize = 2 3 4 -> DimSize = 2 3 2 2 2 | ...only three-dimensional volumes, at one time or several, can be meshed
-ElementSpacing = 1 1 1 -> ElementSpacing = 1 0 1 | spacing along y is not positive
+ElementSpacing = 1 1 1 -> ElementSpacing = 1 0 1 | spacing along y is not positive: --spacing SX,SY,SZ gives it
 ElementSpacing = 1 1 1 -> ElementSpacing = 1 1 | key 'ElementSpacing' is '1 1': not 3 numbers
 1 0 0 0 1 0 0 0 1 -> 1 0 0 0.5 1 0 0 0 1 | ...sheared grid: its axes x and y...
 CompressedData = False -> CompressedData = True | compressed data is damaged: no zlib header after 0 of 48 bytes
@@ -125,9 +125,9 @@ at 46: u2 32767 | data is too short: 2 x 3 x 32767 int16 samples need 393204 byt
 at 108: f4 100 | vox_offset 100.000000 is not valid
 at 108: f4 nan | vox_offset...
 at 108: f4 1e6 | has 416 bytes, its samples begin at 1000000
-at 280: f4 0 | spacing along x is not positive
+at 280: f4 0 | spacing along x is not positive: --spacing SX,SY,SZ gives it
 at 284: f4 1 | ...sheared grid...
-at 292: f4 nan | its origin is further than 1e+30 away
+at 292: f4 nan | its origin is further than 1e+30 away: --origin X,Y,Z gives it
 [hdr]
 first 348 | ...its data file...
 [vtk]
@@ -136,7 +136,7 @@ BINARY -> BOTH | is neither ASCII nor BINARY but 'both'
 STRUCTURED_POINTS -> UNSTRUCTURED_GRID | holds a data set of kind 'unstructured_grid', not STRUCTURED_POINTS: convert it with python3 -c...
 DIMENSIONS 2 3 4 -> DIMENSIONS 2 3 5 | POINT_DATA is 24, but DIMENSIONS give 30 points
 DIMENSIONS 2 3 4 -> DIMENSIONS 2 3 four | DIMENSIONS is 'four', not an integer
-SPACING 1 1 1 -> SPACING 1 -1 1 | spacing along y is not positive
+SPACING 1 1 1 -> SPACING 1 -1 1 | spacing along y is not positive: --spacing SX,SY,SZ gives it
 POINT_DATA -> CELL_DATA | has data of cells, not of points: convert it with python3 -c...
 STRUCTURED_POINTS -> RECTILINEAR_GRID | holds a data set of kind 'rectilinear_grid', not STRUCTURED_POINTS: convert it with python3 -c "import vtk; r = vtk.vtkGenericDataObjectReader(); r.SetFileName('FILE'); f = vtk.vtkResampleToImage(); f.SetSamplingDimensions(NX, NY, NZ); f.SetInputConnection(r.GetOutputPort()); w = vtk.vtkXMLImageDataWriter(); w.SetInputConnection(f.GetOutputPort()); w.SetFileName('volume.vti'); w.Write...
 SCALARS -> SCALES | keyword 'scales' is not supported

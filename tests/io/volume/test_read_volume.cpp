@@ -148,6 +148,36 @@ TEST_CASE("a spacing and an origin of the options stand for the file's, in every
   CHECK(torus.frame().origin == Vec3{1, 2, 3});
 }
 
+// The file was refused before anybody looked at the options.
+TEST_CASE("a spacing and an origin of the options stand for bad ones, which name the options") {
+  const TemporaryFolder folder;
+  Truth truth = random_truth(SampleType::i16, {6, 7, 8}, 3);
+  int replaced = 0;
+  for (const double bad : {std::nan(""), 0.0}) {
+    truth.spacing = {0.5, 1.25, bad};
+    truth.origin = {0, std::nan(""), 0};
+    for (const StoredVolume& stored : all_forms(truth)) {
+      if (stored.options.spacing || stored.label.starts_with("dicom")) continue;
+      CAPTURE(stored.label);
+      const std::string path = stored.write(folder);
+      ReadOptions options;
+      CHECK(read_message(path).ends_with(
+          ": spacing along z is not positive: --spacing SX,SY,SZ gives it"));
+      options.spacing = Vec3{2, 3, 4};
+      CHECK(read_message(path, options)
+                .ends_with(": its origin is further than 1e+30 away: --origin X,Y,Z gives it"));
+      options.origin = Vec3{-1, -2, -3};
+      const Volume volume = read_volume(path, options);
+      CHECK(volume.spacing() == Vec3{2, 3, 4});
+      CHECK(volume.frame().origin == Vec3{-1, -2, -3});
+      CHECK(volume.frame().axes == Frame().axes);
+      CHECK(bytes_of_samples(volume) == truth.bytes);
+      ++replaced;
+    }
+  }
+  CHECK(replaced > 20);
+}
+
 TEST_CASE("NIfTI's meters and micrometers become millimeters") {
   const TemporaryFolder folder;
   Truth truth = random_truth(SampleType::u8, {3, 4, 5}, 1);
