@@ -39,7 +39,7 @@ struct MetaHeader : HeaderFields {
 };
 
 // MetaIO's long types have four bytes on every machine.
-SampleType element_type(const VolumeInput& input, std::string_view name) {
+StoredType element_type(const VolumeInput& input, std::string_view name) {
   if (name == "MET_LONG") return SampleType::i32;
   if (name == "MET_ULONG") return SampleType::u32;
   return supported_type(input, name);

@@ -104,15 +104,17 @@ std::optional<NiftiHeader> parse_header(std::span<const std::byte> bytes) {
   return std::nullopt;
 }
 
-SampleType sample_type(const VolumeInput& input, int datatype) {
-  constexpr std::pair<int, SampleType> kTypes[] = {
+StoredType sample_type(const VolumeInput& input, int datatype) {
+  using Wide = StoredType::Wide;
+  constexpr std::pair<int, StoredType> kTypes[] = {
       {2, SampleType::u8},   {4, SampleType::i16},  {8, SampleType::i32},   {16, SampleType::f32},
-      {64, SampleType::f64}, {256, SampleType::i8}, {512, SampleType::u16}, {768, SampleType::u32}};
+      {64, SampleType::f64}, {256, SampleType::i8}, {512, SampleType::u16}, {768, SampleType::u32},
+      {1024, Wide::i64},     {1280, Wide::u64}};
   for (const auto& [number, type] : kTypes) {
     if (number == datatype) return type;
   }
   fail(input.name(), "NIfTI datatype ", datatype,
-       " is not supported (integers of up to 32 bits, float32, float64 are)");
+       " is not supported (integers of 8 to 64 bits, float32, float64 are)");
 }
 
 // nifti1.h, "Orientation and location in space": method 3 (sform) if given, else method 2 (qform),
@@ -195,8 +197,12 @@ Bytes open_image_file(const VolumeInput& input) {
   return open_data_file(input, stem + (packed && !plain ? ".img.gz" : ".img"));
 }
 
+bool is_scaled(const NiftiHeader& h) {
+  return h.slope != 0 && (h.slope != 1 || h.intercept != 0);
+}
+
 Volume apply_scaling(const VolumeInput& input, const NiftiHeader& h, const Volume& volume) {
-  if (h.slope == 0 || (h.slope == 1 && h.intercept == 0)) return volume;
+  if (!is_scaled(h)) return volume;
   if (!std::isfinite(h.slope)) {
     input.note("scl_slope is not finite; the samples are taken as stored");
     return volume;
@@ -221,7 +227,8 @@ Volume read_nifti(const VolumeInput& input) {
   }
   const std::optional<NiftiHeader> header = parse_header(head);
   if (!header) refuse_gzip(input.name());
-  const SampleGrid grid = read_grid(input, *header);
+  SampleGrid grid = read_grid(input, *header);
+  if (is_scaled(*header)) grid.read.as_labels = false;  // numbers of ids have no scale
 
   const Bytes data = header->in_one_file ? input.bytes : open_image_file(input);
   const double offset = header->data_offset;

@@ -10,6 +10,7 @@
 
 #include "io/files/field_reader.h"
 #include "io/files/text_scan.h"
+#include "io/volume/wide_integers.h"
 
 namespace deliso {
 namespace {
@@ -217,13 +218,15 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
       data.data.data() +
       size_of(grid.type) * (at.first + at.steps[2] * static_cast<std::size_t>(roi.begin.k));
   const bool aligned = reinterpret_cast<std::uintptr_t>(start) % size_of(grid.type) == 0;
-  if (whole_slices && aligned && !is_swapped(grid))
+  const bool is_wide = grid.type.wide != StoredType::Wide::no;
+  if (whole_slices && aligned && !is_swapped(grid) && !is_wide)
     return placed(Volume(dims, spacing, grid.type, start, data.owner, frame));
 
   Buffer samples = copy_region(grid, roi, data.data);
   if (is_swapped(grid)) swap_bytes(samples.span(), size_of(grid.type));
+  const SampleType type = is_wide ? convert_wide(grid, samples.span()) : grid.type.type;
   const Bytes bytes = bytes_of(std::move(samples), data.name);
-  return placed(Volume(dims, spacing, grid.type, bytes.data.data(), bytes.owner, frame));
+  return placed(Volume(dims, spacing, type, bytes.data.data(), bytes.owner, frame));
 }
 
 Volume volume_from_text(const SampleGrid& grid, const Bytes& data, bool more_may_follow) {
@@ -234,8 +237,16 @@ Volume volume_from_text(const SampleGrid& grid, const Bytes& data, bool more_may
     fail(data.name, "data is too short: ", describe(grid), " do not fit in ", data.size(),
          " characters");
   Buffer buffer(static_cast<std::size_t>(expected));
-  with_type(grid.type,
-            [&]<class T>(T) { parse_samples<T>(grid, data, more_may_follow, buffer.span()); });
+  const auto parse = [&]<class T>(T) {
+    parse_samples<T>(grid, data, more_may_follow, buffer.span());
+  };
+  if (grid.type.wide == StoredType::Wide::i64) {
+    parse(std::int64_t{});
+  } else if (grid.type.wide == StoredType::Wide::u64) {
+    parse(std::uint64_t{});
+  } else {
+    with_type(grid.type, parse);
+  }
   SampleGrid native = grid;
   native.byte_order = std::endian::native;
   return volume_from_raw(native, bytes_of(std::move(buffer), data.name));

@@ -289,7 +289,7 @@ TEST_CASE("labels as one mesh: the bytes of the program, two labels for each tri
     CHECK(test::file_bytes(ours) == test::file_bytes(folder.path("theirs.ply")));
     std::size_t triangles = 0, sides = 0, of_labels = 0;
     deliso_mesh_triangles(mesh, &triangles);
-    const std::int32_t* side = deliso_mesh_sides(mesh, &sides);
+    const std::int64_t* side = deliso_mesh_sides(mesh, &sides);
     CHECK(sides == triangles);
     for (const std::int64_t label : {4, 9, 5}) {
       MeshHandle one;
