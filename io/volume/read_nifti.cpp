@@ -119,7 +119,7 @@ StoredType sample_type(const VolumeInput& input, int datatype) {
 
 // nifti1.h, "Orientation and location in space": method 3 (sform) if given, else method 2 (qform),
 // else method 1 (the spacings alone).
-void read_geometry(const NiftiHeader& h, SampleGrid& grid) {
+void read_geometry(const VolumeInput& input, const NiftiHeader& h, SampleGrid& grid) {
   if (h.sform_code > 0) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       grid.steps[axis] = {h.srow[0][axis], h.srow[1][axis], h.srow[2][axis]};
@@ -128,7 +128,12 @@ void read_geometry(const NiftiHeader& h, SampleGrid& grid) {
     return;
   }
   grid.set_spacing({h.pixdim[1], h.pixdim[2], h.pixdim[3]});
-  if (h.qform_code <= 0) return;
+  if (h.qform_code <= 0) {
+    input.note(
+        "its qform and sform codes are 0: by the standard's method 1, sample (0, 0, 0) is at the "
+        "origin, and no space is known");
+    return;
+  }
   double b = h.quatern[0], c = h.quatern[1], d = h.quatern[2];
   double a = 1 - (b * b + c * c + d * d);
   if (a < 1e-7) {  // a half turn: rounding must not leave it a non-unit quaternion
@@ -180,7 +185,7 @@ SampleGrid read_grid(const VolumeInput& input, const NiftiHeader& h) {
   set_axes(grid, std::array{DataAxis{Kind::x, h.dim[1]}, DataAxis{Kind::y, h.dim[2]},
                             DataAxis{Kind::z, h.dim[3]}, DataAxis{Kind::time, size(4)},
                             DataAxis{Kind::channel, size(5)}});
-  read_geometry(h, grid);
+  read_geometry(input, h, grid);
   to_millimeters(input, h, grid);
   return grid;
 }

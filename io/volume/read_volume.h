@@ -31,7 +31,8 @@
 //    - 64-bit integers that float64 does not hold, if they are no labels; complex samples, several
 //      components;
 //    - several channels or times, if no option chooses one;
-//    - sheared grids: axes not at right angles within 1e-4;
+//    - axes near one plane. Others that are not at right angles are kept: the mesh is of the grid
+//      of samples, and its vertices are mapped to the world;
 //    - data of another size than in the header, more than one data file or piece;
 //    - DICOM slices that are missing or double; several series, if the options name none;
 //    - TIFF slices of different sizes or types;
@@ -39,8 +40,8 @@
 //    - bzip2, hex, lz4 and lzma encodings.
 //    For other formats with known first bytes the message has a way to convert them
 //    (foreign_formats.h).
-// 5. Of several arrays (VTK) the options name one. Else it is the one that the file calls active,
-//    else the first that can be meshed, and the log says so.
+// 5. Of several arrays (VTK) the options name one. Else it is the one that the file calls active, if
+//    it can be meshed, else the first that can, and the log says so.
 //    Of several channels or times the options choose one (several_volumes.h).
 // 6. A hostile or damaged file gives an InputError or a valid volume. Memory is allocated only for
 //    data that exists. value_range() finds NaN and infinite samples.

@@ -18,11 +18,13 @@
 namespace deliso {
 namespace {
 
-// Returns VTK's own names as those of other formats. vtkIdType is an int in these files.
+// Returns VTK's own names of types as those of other formats.
 std::string plain_type(std::string_view type) {
   constexpr std::pair<std::string_view, std::string_view> kNames[] = {
-      {"vtkidtype", "int32"},    {"long", "int64"},           {"unsigned_long", "uint64"},
-      {"vtktypeint64", "int64"}, {"vtktypeuint64", "uint64"},
+      {"long", "int64"},
+      {"unsigned_long", "uint64"},
+      {"vtktypeint64", "int64"},
+      {"vtktypeuint64", "uint64"},
   };
   for (const auto& [name, plain] : kNames) {
     if (lower(type) == name) return std::string(plain);
@@ -212,9 +214,9 @@ class VtkParser {
       starts_.push_back(text_.position());
     }
     const auto ends = [&] { fail(input_.name(), "ends within its array ", quote(array.name)); };
-    const std::optional<StoredType> type = array.type == "COLOR_SCALARS in ASCII"
-                                               ? StoredType(SampleType::u8)
-                                               : sample_type_named(array.type);
+    std::optional<StoredType> type = sample_type_named(array.type);
+    if (array.type == "COLOR_SCALARS in ASCII") type = SampleType::u8;
+    if (lower(array.type) == "vtkidtype") type = SampleType::i32;  // as VTK stores it here
     if (!type)
       fail(input_.name(), "array ", quote(array.name), " is of type ", quote(array.type),
            ", which is not supported");

@@ -27,6 +27,8 @@ namespace deliso {
 
 // The largest cosine of two axes that are taken to be at right angles.
 constexpr double kShearTolerance = 1e-4;
+// Axes that are less apart are those of no image: of the volume of their unit vectors.
+constexpr double kLeastDeterminant = 0.1;
 
 struct SampleGrid {
   std::string name;         // of the input, for messages
