@@ -80,7 +80,8 @@ void add_row(Found& found, const T* row, Index3 dims, const SampleExtent& box, i
 
 std::vector<LabelSamples> find_labels(const Segmentation& samples_of, std::string_view name,
                                       int threads, const std::optional<SampleExtent>& within) {
-  const auto& [volume, ids] = samples_of;
+  const Volume& volume = samples_of.volume;
+  const std::vector<std::int64_t>& ids = samples_of.ids;
   const Index3 dims = volume.dims();
   const SampleExtent box =
       within ? *within : SampleExtent{{0, 0, 0}, {dims.i - 1, dims.j - 1, dims.k - 1}};
@@ -133,7 +134,8 @@ LabelSamples united_labels(std::span<const LabelSamples> found,
 
 Volume label_indicator(const Segmentation& samples_of, std::span<const std::int64_t> labels,
                        const SampleExtent& box, int threads) {
-  const auto& [volume, ids] = samples_of;
+  const Volume& volume = samples_of.volume;
+  const std::vector<std::int64_t>& ids = samples_of.ids;
   DELISO_CHECK(!volume.is_block());
   std::vector<std::int64_t> values(labels.begin(), labels.end());  // of their samples
   if (!ids.empty()) {

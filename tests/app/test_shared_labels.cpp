@@ -116,7 +116,8 @@ TEST_CASE("random labels fill space once, between common triangles that never cr
 
     for (std::size_t f = 0; f < all.triangles.size(); ++f) {
       const Vec3& p = all.points[all.triangles[f][0].number()];
-      for (const std::int64_t side : all.sides[f]) far += side < 0 || labels.is_near(p, side) ? 0 : 1;
+      for (const std::int64_t side : all.sides[f])
+        far += side < 0 || labels.is_near(p, static_cast<int>(side)) ? 0 : 1;
       ++(all.sides[f][0] < 0 ? caps : facets);
     }
 

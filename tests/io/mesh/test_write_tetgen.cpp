@@ -148,7 +148,7 @@ TEST_CASE("regions in regions: one point each, none in the background outside") 
   mesh.add_ball({30, 0, 0}, 2, {0, -4});  // another one beside
   const RegionPoints found = mesh.regions();
   CHECK(found.open.empty());
-  std::map<std::int32_t, int> count;
+  std::map<std::int64_t, int> count;
   for (const auto& [p, label] : found.points) {
     ++count[label];
     if (label == 0) {
@@ -158,7 +158,7 @@ TEST_CASE("regions in regions: one point each, none in the background outside") 
       CHECK(mesh.winding(label, p) == doctest::Approx(1));
     }
   }
-  CHECK(count == std::map<std::int32_t, int>{{-4, 1}, {0, 1}, {3, 1}, {5, 2}});
+  CHECK(count == std::map<std::int64_t, int>{{-4, 1}, {0, 1}, {3, 1}, {5, 2}});
 }
 
 TEST_CASE("TetGen's files: a table of markers, a marker for each pair, and regions") {
@@ -193,8 +193,8 @@ TEST_CASE("TetGen's files: a table of markers, a marker for each pair, and regio
       // 12 squares between two cells; on each face of the box four of one cell.
       CHECK(pairs.size() == 12 + 24);
       CHECK(std::set(pairs.begin(), pairs.end()).size() == pairs.size());
-      CHECK(pairs.front() == std::array{2, 1});
-      CHECK(pairs[12] == std::array{-6, 5});
+      CHECK(pairs.front() == std::array<std::int64_t, 2>{2, 1});
+      CHECK(pairs[12] == std::array<std::int64_t, 2>{-6, 5});
 
       std::size_t count = 0, number = 0;
       std::string rest;
