@@ -39,8 +39,13 @@ std::size_t choose_array(const VolumeInput& input, std::vector<NamedArray> array
     if (chosen == arrays.size()) chosen = 0;
   }
   if (arrays[chosen].components != 1) {
+    std::string others;
+    for (const NamedArray& array : arrays) {
+      if (is_usable(array))
+        others += text(others.empty() ? "; --array takes " : ", ", quote(array.name));
+    }
     fail(input.name(), "array ", quote(arrays[chosen].name), " has ", arrays[chosen].components,
-         " components per point: only scalar volumes can be meshed");
+         " components per point: only scalar volumes can be meshed", others);
   }
   if (!wanted && arrays.size() > 1) {
     input.note(one_line(text("array ", quote(arrays[chosen].name), " is read, one of ",

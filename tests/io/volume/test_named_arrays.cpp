@@ -114,9 +114,11 @@ TEST_CASE("unknown names, arrays that cannot be meshed and formats without names
     CHECK(error("Density") ==
           "v.vtk: has no array 'Density', but 'velocity', 'normals', 'stress', 'uv', 'wide', "
           "'ids', 'density', 'pressure'");
+    CHECK(error("ids").empty());
     CHECK(error("of_cells").starts_with("v.vtk: has no array 'of_cells', but"));
     CHECK(error("wide") ==
-          "v.vtk: array 'wide' has 2 components per point: only scalar volumes can be meshed");
+          "v.vtk: array 'wide' has 2 components per point: only scalar volumes can be meshed; "
+          "--array takes 'ids', 'density', 'pressure'");
     const std::string whole = vtk_of_many(binary);
     const std::string cut = whole.substr(0, whole.find("NORMALS") + 100);
     CHECK(read(folder, "v.vtk", cut, "density").error == "v.vtk: ends within its array 'normals'");
