@@ -75,12 +75,13 @@ Field unfiltered_field(const Volume& volume, const FieldOptions& options) {
   return field;
 }
 
-Field make_field(const Volume& volume, const FieldOptions& options,
+Field make_field(const Segmentation& samples, const FieldOptions& options,
                  std::span<const LabelSamples> found, std::string_view name, int threads) {
   const Stopwatch watch;
+  const Volume& volume = samples.volume;
   Field field = unfiltered_field(volume, options);
   if (!options.labels.empty()) {
-    LabelFields labels = label_fields(volume, options, found, name, threads);
+    LabelFields labels = label_fields(samples, options, found, name, threads);
     const std::int64_t label = options.labels.front();
     field.volume = labels.field(label);
     field.label = facts_of(field, volume, options, labels.weighed(label), threads);
@@ -92,14 +93,14 @@ Field make_field(const Volume& volume, const FieldOptions& options,
   return field;
 }
 
-LabelFields label_fields(const Volume& volume, const FieldOptions& options,
+LabelFields label_fields(const Segmentation& samples, const FieldOptions& options,
                          std::span<const LabelSamples> found, std::string_view name, int threads) {
-  if (found.size() > kMostGrayValues && !looks_like_labels(volume)) {
+  if (found.size() > kMostGrayValues && !looks_like_labels(samples.volume)) {
     fail(name, "looks like a gray image, not like labels, and has ", found.size(),
          " values: try --iso");
   }
-  const Field field = unfiltered_field(volume, options);
-  return {volume, {found.begin(), found.end()}, options.labels, {field.median, field.sigma}, name,
+  const Field field = unfiltered_field(samples.volume, options);
+  return {samples, {found.begin(), found.end()}, options.labels, {field.median, field.sigma}, name,
           threads};
 }
 
@@ -175,8 +176,7 @@ void add_field(ReportWriter& out, const Field& field) {
   out.open("label",
            "with --label: the labels whose indicator is meshed; dims and origin are of the box "
            "that is cut out around them");
-  out.add_list("labels", std::vector<double>(label.labels.begin(), label.labels.end()), "integer",
-               "whose samples are inside");
+  out.add_list("labels", label.labels, "whose samples are inside");
   out.add("cut_from", label.whole, "samples of the whole volume along x, y and z", Rule::positive);
   out.add("voxels", label.samples, "samples with the labels");
   out.add("volume_of_voxels", label.volume, "of their voxels, within the box; world units, cubed");

@@ -44,11 +44,11 @@ Field unfiltered_field(const Volume& volume, const FieldOptions& options);
 // Returns the field. Throws InputError, with the volume's `name`, for labels that it has not, for
 // those of a gray image with too many values, and for a Gaussian out of range. `found`: the
 // volume's labels; only of --label.
-Field make_field(const Volume& volume, const FieldOptions& options,
+Field make_field(const Segmentation& samples, const FieldOptions& options,
                  std::span<const LabelSamples> found, std::string_view name, int threads);
 
 // Returns the fields of all labels, each by itself.
-LabelFields label_fields(const Volume& volume, const FieldOptions& options,
+LabelFields label_fields(const Segmentation& samples, const FieldOptions& options,
                          std::span<const LabelSamples> found, std::string_view name, int threads);
 
 // Returns the standard deviations of a Gaussian in samples along the axes. Throws InputError for

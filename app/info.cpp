@@ -89,13 +89,15 @@ std::string suggestions_text(const Info& info) {
 Info find_info(const Input& input, const CommandLine& line, Progress& progress) {
   const Volume& volume = input.volume();
   progress.show("histogram", 0);
-  Info info{input, make_histogram(volume, *input.range, kBins), {}, {}, {}, 0, {}, 0, {}, 0};
+  const bool of_ids = !input.log.ids.empty();
+  const ValueRange range = of_ids ? value_range(volume) : *input.range;
+  Info info{input, make_histogram(volume, range, kBins), {}, {}, {}, 0, {}, 0, {}, 0};
   progress.show("thresholds", 0);
   const Stopwatch to_suggest;
-  if (!input.field.is_filtered() && looks_like_labels(volume)) {
-    info.labels = find_labels(volume, input.name, line.options.threads);
+  if (of_ids || (!input.field.is_filtered() && looks_like_labels(volume))) {
+    info.labels = find_labels({volume, input.log.ids}, input.name, line.options.threads);
   }
-  if (!input.field.label) {  // a label's isovalue is known
+  if (!input.field.label && !of_ids) {  // a label's isovalue is known
     const Thresholds found = find_thresholds(volume, *input.range);
     info.padding = found.padding;
     for (const Threshold& threshold : found.levels) {
@@ -117,11 +119,12 @@ Info find_info(const Input& input, const CommandLine& line, Progress& progress) 
 }
 
 std::string info_text(const Info& info) {
-  std::string lines = text(input_text(info.input), "\n",
-                           info.input.field.is_filtered() ? "samples of the filtered field:\n" : "",
-                           histogram_text(info.histogram, kRows), "\n", suggestions_text(info),
-                           "read      ", fixed(info.input.seconds, 3), " s, isovalues to try ",
-                           fixed(info.seconds_suggestions, 3), " s\n");
+  std::string lines =
+      text(input_text(info.input), "\n",
+           info.input.field.is_filtered() ? "samples of the filtered field:\n" : "",
+           info.input.log.ids.empty() ? histogram_text(info.histogram, kRows) + "\n" : "",
+           suggestions_text(info), "read      ", fixed(info.input.seconds, 3),
+           " s, isovalues to try ", fixed(info.seconds_suggestions, 3), " s\n");
   if (info.isovalue) {
     lines += text("\nisovalue  ", isovalue_text(*info.isovalue, info.effective), "\nsurface   ",
                   topology_text(info.contour.topology()), "\n          in ",

@@ -80,10 +80,22 @@ void find_segments(CommandLine& line) {
   sort_unique(line.field.labels);
 }
 
+bool may_be_labels(const CommandLine& line) {
+  return line.field.of_labels() ||
+         (line.command == Command::info && !line.isovalue && !line.field.any());
+}
+
+ValueRange range_of(const Volume& volume, const ReadLog& log, std::string_view name) {
+  if (log.ids.empty()) return value_range(volume, name);
+  return {static_cast<double>(log.ids.front()), static_cast<double>(log.ids.back())};
+}
+
 Source read_source(const CommandLine& line, std::vector<std::string> others) {
   const Stopwatch watch;
   ReadLog log;
-  Volume volume = read_volume(line.input, line.read, &log);
+  ReadOptions read = line.read;
+  read.as_labels = may_be_labels(line);
+  Volume volume = read_volume(line.input, read, &log);
   std::ranges::copy(log.paths(), std::back_inserter(others));
   if (line.input == "-") others.push_back(line.input);
   require_outputs(std::array{line.output, line.json}, others);
@@ -93,17 +105,20 @@ Source read_source(const CommandLine& line, std::vector<std::string> others) {
     log.notes.push_back(text(counted(count, "sample is NaN", "samples are NaN"), ", and taken as ",
                              *line.field.nan));
   }
-  const ValueRange range = value_range(volume, line.input);
+  const ValueRange range = range_of(volume, log, line.input);
   std::vector<LabelSamples> labels;
-  if (line.field.of_labels()) labels = find_labels(volume, line.input, line.options.threads);
-  std::string warning = gray_image_warning(line, volume, range);
+  if (line.field.of_labels()) {
+    labels = find_labels({volume, log.ids}, line.input, line.options.threads);
+  }
+  std::string warning = log.ids.empty() ? gray_image_warning(line, volume, range) : "";
   return {std::move(volume), range,           std::move(labels),
           std::move(log),    watch.seconds(), std::move(warning)};
 }
 
 Input input_of(const Source& source, const CommandLine& line) {
   const int threads = line.options.threads;
-  Field field = make_field(source.volume, line.field, source.labels, line.input, threads);
+  Field field =
+      make_field({source.volume, source.log.ids}, line.field, source.labels, line.input, threads);
   const ValueRange range =
       field.is_filtered() ? value_range(field.volume, line.input) : source.range;
   Input input{line.input,     std::move(field), range,         source.log,
@@ -135,7 +150,8 @@ std::string input_text(const Input& input) {
   std::string lines =
       text("volume    ", one_line(input.name), "\n          ", dims.i, " x ", dims.j, " x ", dims.k,
            " ", name_of(volume.type()), ", spacing ", text_of(volume.spacing()));
-  if (input.range) {
+  // A note has the ids.
+  if (input.range && (input.log.ids.empty() || input.field.label)) {
     lines += ", samples " + sample_text(input.range->min) + " to " + sample_text(input.range->max);
   }
   lines += "\n";
@@ -171,8 +187,13 @@ void add_input(ReportWriter& out, const Input& input) {
   out.add_choice("space", static_cast<std::size_t>(at.space), names_up_to(AnatomicalSpace::lps),
                  "which way the world's axes point in a patient");
   const ValueRange range = input.range.value_or(ValueRange());
-  out.add_list("range", std::array{range.min, range.max}, "number",
-               "the smallest and the largest sample");
+  constexpr const char* kRange = "the smallest and the largest sample";
+  if (!input.log.ids.empty() && !input.field.label) {
+    const std::vector<std::int64_t>& ids = input.log.ids;
+    out.add_list("range", std::array{ids.front(), ids.back()}, kRange);
+  } else {
+    out.add_list("range", std::array{range.min, range.max}, "number", kRange);
+  }
   if (out.if_any(!input.log.arrays.empty())) {
     out.open("arrays",
              "of a VTK file, by their names: type, components, and whether the volume is this one "

@@ -29,6 +29,12 @@ struct Input {
 // InputError if the line's input does not name them, or not in one channel.
 void find_segments(CommandLine& line);
 
+// True if integers of 64 bits that float64 does not hold are read as labels.
+bool may_be_labels(const CommandLine& line);
+// Returns the range of the samples, or of the ids that they stand for. Throws as value_range()
+// does.
+ValueRange range_of(const Volume& volume, const ReadLog& log, std::string_view name);
+
 // Reads the command's input. Throws InputError, also for the first NaN or infinite sample. Also
 // throws if an output of the run cannot be written, or is a file that is read: of the volume or of
 // `others`.
@@ -37,7 +43,7 @@ Input read_input(const CommandLine& line, std::vector<std::string> others = {});
 // The same in two steps, for several fields of one volume.
 struct Source {
   Volume volume;
-  ValueRange range;
+  ValueRange range;                  // of ids (ReadLog::ids), if there are any
   std::vector<LabelSamples> labels;  // only if the command line asks for any
   ReadLog log;
   double seconds = 0;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -26,7 +27,9 @@ struct LabelRow {
 // Returns the warning about a label whose field is the largest at no sample.
 std::string vanished_text(std::string_view label, std::uint64_t samples);
 
-std::string label_heading();
-std::string text_of(const LabelRow& row);
+// Returns the characters of the table's first column.
+int label_width(std::span<const LabelSamples> labels);
+std::string label_heading(int width);
+std::string text_of(const LabelRow& row, int width);
 
 }  // namespace deliso

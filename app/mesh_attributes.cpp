@@ -26,13 +26,6 @@ IdArray<VertexId, Vec3> facet_normals(const TriMesh& mesh, std::size_t first_cap
   return sums;
 }
 
-// Maps a normal to the world, by the inverse transposed: axes need not be at right angles.
-Vec3 to_world(const Vec3& normal, const Frame& frame) {
-  const auto& [u, v, w] = frame.axes;
-  const Vec3 mapped = normal.x * cross(v, w) + normal.y * cross(w, u) + normal.z * cross(u, v);
-  return frame.left_handed() ? -mapped : mapped;
-}
-
 std::vector<std::array<float, 3>> normals(const TriMesh& mesh, const Volume& volume,
                                           std::size_t first_cap, std::size_t first_cap_vertex) {
   const auto sums = facet_normals(mesh, first_cap, first_cap_vertex);
@@ -41,7 +34,7 @@ std::vector<std::array<float, 3>> normals(const TriMesh& mesh, const Volume& vol
   for (VertexId v(0); v < mesh.points.size(); ++v) {
     Vec3 normal = -volume.gradient(mesh.points[v]);
     if (v >= first_cap_vertex || !(dot(normal, sums[v]) > 0)) normal = sums[v];
-    normal = to_world(normal, mesh.frame);
+    normal = normal_in_world(normal, mesh.frame);
     const double size = length(normal);
     const bool usable = size > 0 && std::isfinite(size);
     const Vec3 unit = usable ? normal / size : Vec3{0, 0, 1};
@@ -52,6 +45,12 @@ std::vector<std::array<float, 3>> normals(const TriMesh& mesh, const Volume& vol
 }
 
 }  // namespace
+
+Vec3 normal_in_world(const Vec3& normal, const Frame& frame) {
+  const auto& [u, v, w] = frame.axes;
+  const Vec3 mapped = normal.x * cross(v, w) + normal.y * cross(w, u) + normal.z * cross(u, v);
+  return frame.left_handed() ? -mapped : mapped;
+}
 
 MeshAttributes mesh_attributes(const TriMesh& mesh, const TriMesh& surface, const Volume& volume,
                                const Report& report, int threads) {

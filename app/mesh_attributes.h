@@ -17,4 +17,7 @@ namespace deliso {
 MeshAttributes mesh_attributes(const TriMesh& mesh, const TriMesh& surface, const Volume& volume,
                                const Report& report, int threads);
 
+// Returns the normal in the world, of any length: axes need not be at right angles.
+Vec3 normal_in_world(const Vec3& normal, const Frame& frame);
+
 }  // namespace deliso

@@ -278,7 +278,7 @@ constexpr OptionSpec kRest[] = {
 
     {"--dims", 0, "NXxNYxNZ", kVolume, "size of a raw file, in samples",
      [](Line& l, Text o, Text v) { raw_layout(l).dims = in_option(o, v, parse_dims); }},
-    {"--type", 0, "uint8|int8|uint16|int16|uint32|int32|float32|float64", kVolume,
+    {"--type", 0, "uint8|int8|uint16|int16|uint32|int32|uint64|int64|float32|float64", kVolume,
      "type of its samples",
      [](Line& l, Text o, Text v) { raw_layout(l).type = in_option(o, v, parse_sample_type); }},
     {"--endian", 0, "little|big", kVolume, "its byte order (default little)",

@@ -8,6 +8,7 @@
 #include "app/option_table.h"
 #include "base/text.h"
 #include "base/version.h"
+#include "io/files/text_scan.h"
 #include "io/volume/builtin_fields.h"
 
 namespace deliso {
@@ -88,10 +89,10 @@ std::string man_page() {
   for (const OptionGroup& group : option_groups()) {
     options += text(".SS ", group.title, "\n");
     for (const OptionSpec& spec : group.options) {
-      options +=
-          text(".TP\n\\fB", roff(spec.name), spec.argument.empty() ? "\\fI" : "\\fR \\fI",
-               roff(spec.argument), "\\fR", spec.letter == 0 ? "" : ", \\fB\\", short_form(spec),
-               "\\fR\n", roff(meanings(spec)), " [", commands_of(spec), "]\n");
+      options += text(".TP\n\\fB", roff(spec.name), spec.argument.empty() ? "\\fI" : "\\fR \\fI",
+                      joined(split(roff(spec.argument), '|'), "|\\:"), "\\fR",
+                      spec.letter == 0 ? "" : ", \\fB\\", short_form(spec), "\\fR\n",
+                      roff(meanings(spec)), " [", commands_of(spec), "]\n");
     }
   }
   for (const BuiltinField& field : builtin_fields()) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/input.h"
 #include "base/check.h"
 #include "base/text.h"
 #include "blocks/mesh_in_blocks.h"
@@ -49,6 +50,7 @@ Roi region_of_part(const CommandLine& line, Index3 dims, const Vec3& spacing) {
 
 ReadOptions reading_of_part(const CommandLine& line) {
   ReadOptions read = line.read;
+  read.as_labels = may_be_labels(line);
   if (!read.roi) {
     read.region = [&](Index3 dims, const Vec3& spacing) {
       return region_of_part(line, dims, spacing);
@@ -58,7 +60,7 @@ ReadOptions reading_of_part(const CommandLine& line) {
 }
 
 FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
-                         const std::string& name) {
+                         const std::string& name, const std::vector<std::int64_t>& ids) {
   const int threads = line.options.threads;
   VolumeSource raw = stored;
   if (line.field.nan) {
@@ -70,7 +72,9 @@ FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
   if (line.field.of_labels()) {
     const Volume all = all_of(raw);
     value_range(all, name);
-    const Field field = make_field(all, line.field, find_labels(all, name, threads), name, threads);
+    const Segmentation labels{all, ids};
+    const Field field =
+        make_field(labels, line.field, find_labels(labels, name, threads), name, threads);
     return {source_of(field.volume), 0};
   }
   const double isovalue = *line.isovalue;
@@ -95,8 +99,8 @@ FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
 }
 
 PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::string& name,
-                   Observer* observer) {
-  const FieldSource field = field_source(raw, line, name);
+                   Observer* observer, const std::vector<std::int64_t>& ids) {
+  const FieldSource field = field_source(raw, line, name, ids);
   Options options = line.options;
   options.observer = observer;
   PartFile part;

@@ -34,13 +34,14 @@ struct FieldSource {
 
 // Returns the field. Each box is filtered by itself, with the samples around it that the filters
 // reach, so its samples are those of the whole field. Of labels all of the volume is read now.
-// Reading throws InputError, with the volume's `name`, for a NaN or infinite sample.
+// Reading throws InputError, with the volume's `name`, for a NaN or infinite sample. `ids`: those
+// of the samples (ReadLog).
 FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
-                         const std::string& name);
+                         const std::string& name, const std::vector<std::int64_t>& ids = {});
 
 // Meshes the part that the line asks for. Throws InputError.
 PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::string& name,
-                   Observer* observer);
+                   Observer* observer, const std::vector<std::int64_t>& ids = {});
 
 // Returns the command line that the parts were made with, for the volume named `input`. Throws
 // InputError, with the part's name, if its words are no options of a mesh, or contradict its

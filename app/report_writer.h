@@ -68,6 +68,10 @@ class ReportWriter {
                 std::string_view words, Rule rule = Rule::none) {
     if (!describes(key, type, words, rule, true)) json_.add(key, values);
   }
+  void add_list(std::string_view key, std::span<const std::int64_t> values,
+                std::string_view words) {
+    if (!describes(key, "integer", words, Rule::none, true)) json_.add(key, values);
+  }
   void add_choice(std::string_view key, std::size_t choice, std::span<const std::string> choices,
                   std::string_view words) {
     if (!describes(key, "string", words, Rule::none, false, choices))

@@ -32,7 +32,7 @@ void write_slices(const Info& info, const CommandLine& line) {
                        .through = picture.aim.look_at
                                       ? volume.frame().from_world(*picture.aim.look_at)
                                       : middle_of(info),
-                       .window = gray_window(volume, *info.input.range)};
+                       .window = gray_window(volume, info.histogram.range)};
   if (info.isovalue) options.kappa = info.effective;
   // Patients are measured in millimeters.
   const bool of_patient = volume.frame().space != AnatomicalSpace::unknown;

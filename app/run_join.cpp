@@ -29,10 +29,12 @@ int run_join(const CommandLine& join) {
   const CommandLine line = line_of_join(join, parts.front());
   ReadLog log;
   const Stopwatch reading;
-  const Volume volume = read_volume(line.input, line.read, &log);
+  ReadOptions read = line.read;
+  read.as_labels = may_be_labels(line);
+  const Volume volume = read_volume(line.input, read, &log);
   std::ranges::copy(log.paths(), std::back_inserter(files));
   require_outputs(std::vector{line.output, line.json}, files);
-  FieldSource field = field_source(source_of(volume), line, line.input);
+  FieldSource field = field_source(source_of(volume), line, line.input, log.ids);
   require_field(parts, field, line.options, line.input);
 
   ProgressBar progress(mesh_stages(line), !line.quiet);

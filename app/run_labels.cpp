@@ -99,10 +99,11 @@ int run_labels(const CommandLine& line) {
   print_warning(source.warning, line);
   const std::vector<CommandLine> lines = lines_of_labels(line, source);
   if (!line.shared.empty()) return run_shared(all, source, line, lines);
-  source.labels =
-      label_fields(source.volume, line.field, source.labels, line.input, line.options.threads)
-          .weighed();
-  std::string table = label_heading();
+  source.labels = label_fields({source.volume, source.log.ids}, line.field, source.labels,
+                               line.input, line.options.threads)
+                      .weighed();
+  const int width = label_width(source.labels);
+  std::string table = label_heading(width);
   bool all_sound = true;
   std::vector<MeshObject> objects;
   std::vector<std::int64_t> labels, open;
@@ -122,7 +123,8 @@ int run_labels(const CommandLine& line) {
     const auto found = std::ranges::find(source.labels, label.labels.front(), &LabelSamples::label);
     table += text_of({*found, one.write.name, label.volume,
                       run.has_volume() ? std::optional(run.volume) : std::nullopt, run.vertices,
-                      run.triangles, run.mesh, run.report.exact, run.seconds_total});
+                      run.triangles, run.mesh, run.report.exact, run.seconds_total},
+                     width);
   }
   if (!objects.empty()) write_labels(std::move(objects), labels, line.output);
   print_warning(border_advice(open), line);

@@ -27,8 +27,9 @@ int run_part(const CommandLine& line) {
   std::vector<std::string> files = log.paths();
   if (line.input == "-") files.push_back(line.input);
   require_outputs(std::array{line.output}, files);
-  PartFile part = of_unchanged(
-      log.files, [&] { return make_part(source_of(volume), line, line.input, &progress); });
+  PartFile part = of_unchanged(log.files, [&] {
+    return make_part(source_of(volume), line, line.input, &progress, log.ids);
+  });
   progress.show("writing", 0);
   const std::size_t vertices = part.block.mesh.mesh.points.size();
   const std::size_t triangles = part.block.mesh.mesh.faces.size();

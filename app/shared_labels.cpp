@@ -28,13 +28,9 @@ constexpr std::string_view kAllLabels = " label=all";  // at the end of the file
 
 using Warn = std::function<void(const std::string&)>;
 
-// Throws InputError if a label has more than 32 bits, or a number that stands for a face of the
-// box.
+// Throws InputError if a label has a number that stands for a face of the box.
 void require_numbers(const CommandLine& line, std::span<const LabelSamples> labels) {
   for (const LabelSamples& l : labels) {
-    if (l.label != static_cast<std::int32_t>(l.label)) {
-      throw InputError(line.input, ": label ", l.label, " has more than 32 bits for --shared");
-    }
     if (line.options.cap && l.label < 0 && l.label >= -6) {
       throw InputError(line.input, ": label ", l.label,
                        ": with --cap, -1 to -6 stand for the faces of the volume");
@@ -63,7 +59,8 @@ std::vector<Volume> fields_of(SharedRun& run, Progress& progress) {
   const Stopwatch watch;
   std::vector<LabelSamples> found;
   for (const SharedLabel& l : run.labels) found.push_back(l.label);
-  LabelFields fields = label_fields(volume, line.field, found, line.input, line.options.threads);
+  LabelFields fields = label_fields({volume, run.input.log.ids}, line.field, found, line.input,
+                                    line.options.threads);
   progress.show("fields", 0);
   fields.weighed();
   std::vector<Volume> all;
@@ -99,11 +96,11 @@ void warn_of_vanished(SharedRun& run, const Partition& partition, const Warn& wa
 // Fills in what stands in front of each facet and behind it, and the borders.
 void find_sides(SharedRun& run, const Partition& partition) {
   const auto side_of = [&](BodyId body) {
-    if (!partition.is_beyond(body)) return static_cast<std::int32_t>(run.labels[body].label.label);
-    return -static_cast<std::int32_t>(body - partition.beyond(0)) - 1;
+    if (!partition.is_beyond(body)) return run.labels[body].label.label;
+    return -static_cast<std::int64_t>(body - partition.beyond(0)) - 1;
   };
   const std::vector<Vec3>& p = run.mesh.points;
-  std::map<std::array<std::int32_t, 2>, SharedBorder> borders;
+  std::map<std::array<std::int64_t, 2>, SharedBorder> borders;
   for (const InterfaceFacet& facet : run.mesh.facets) {
     const auto& [a, b, c] = facet.v;
     const std::array sides{side_of(facet.bodies[0]), side_of(facet.bodies[1])};
@@ -286,9 +283,12 @@ CountedMesh counted_mesh(const SharedRun& run) {
 }
 
 std::string report_text(const SharedRun& run) {
-  std::string lines = label_heading();
+  std::vector<LabelSamples> labels;
+  for (const SharedLabel& l : run.labels) labels.push_back(l.label);
+  const int width = label_width(labels);
+  std::string lines = label_heading(width);
   for (const SharedLabel& l : run.labels) {
-    if (l.label.label != 0) lines += text_of(l);
+    if (l.label.label != 0) lines += text_of(l, width);
   }
   const std::size_t facets = run.mesh.facets.size(), caps = facets - run.mesh.inner_facets;
   const auto pairs = static_cast<std::uint64_t>(std::ranges::count_if(

@@ -32,7 +32,7 @@ struct SharedLabel : LabelRow {
 
 // The facets between two labels, or a label and a face of the box.
 struct SharedBorder {
-  std::array<std::int32_t, 2> sides{};  // as MeshWriteOptions has them
+  std::array<std::int64_t, 2> sides{};  // as MeshWriteOptions has them
   bool is_cap = false;
   std::size_t triangles = 0;
   double area = 0;  // scaled frame
@@ -51,7 +51,7 @@ struct SharedRun {
   Report report;
   InterfaceMesh mesh;
   // Per facet the labels in front of it and behind. Face f of the box (base/box3.h) is -(f + 1).
-  std::vector<std::array<std::int32_t, 2>> sides;
+  std::vector<std::array<std::int64_t, 2>> sides;
   std::size_t surface_vertices = 0;  // of facets between labels
   std::vector<SharedBorder> borders;
   MeshQuality quality;  // of all facets

@@ -47,12 +47,14 @@ AnatomicalSpace space_of(const char* name) {
 
 SampleGrid grid_of(int type, const size_t shape[3], int order, const deliso_place* place) {
   require(shape, "shape");
-  if (type < DELISO_UINT8 || type > DELISO_FLOAT64) throw InputError("no such type of samples");
+  if (type < DELISO_UINT8 || type > DELISO_UINT64) throw InputError("no such type of samples");
   if (order != DELISO_C_ORDER && order != DELISO_FORTRAN_ORDER) throw InputError("no such order");
   const bool is_fortran = order == DELISO_FORTRAN_ORDER;
   SampleGrid grid;
   grid.name = kName;
-  grid.type = static_cast<SampleType>(type);
+  grid.type = type == DELISO_INT64    ? StoredType(StoredType::Wide::i64)
+              : type == DELISO_UINT64 ? StoredType(StoredType::Wide::u64)
+                                      : StoredType(static_cast<SampleType>(type));
   for (std::size_t n = 0; n < 3; ++n) {
     grid.dims[n] = static_cast<std::int64_t>(shape[is_fortran ? n : 2 - n]);
   }

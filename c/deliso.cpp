@@ -44,8 +44,15 @@ Source source_of(const deliso_volume& volume, const CommandLine& line) {
   std::uint64_t count = 0;
   const Volume samples =
       line.field.nan ? without_nan(volume.volume, *line.field.nan, count) : volume.volume;
-  Source source{samples, value_range(samples, volume.name), {}, volume.log, 0};
-  if (line.field.of_labels()) source.labels = find_labels(samples, volume.name, threads);
+  if (!volume.log.ids.empty() && !may_be_labels(line)) {
+    throw InputError(volume.name,
+                     ": float64 does not hold all of its integers of 64 bits exactly: only labels "
+                     "are read so, with label");
+  }
+  Source source{samples, range_of(samples, volume.log, volume.name), {}, volume.log, 0};
+  if (line.field.of_labels()) {
+    source.labels = find_labels({samples, volume.log.ids}, volume.name, threads);
+  }
   source.seconds = watch.seconds();
   return source;
 }
@@ -136,9 +143,13 @@ deliso_status deliso_volume_create(const void* samples, int type, const size_t s
   return guarded(nullptr, [&] {
     require(samples, "samples");
     require(volume, "volume");
-    const SampleGrid grid = grid_of(type, shape, order, place);
+    SampleGrid grid = grid_of(type, shape, order, place);
+    ReadLog log;
+    grid.log = &log;
+    grid.read.as_labels = true;
     const Bytes bytes{kName, {static_cast<const std::byte*>(samples), data_size(grid)}, nullptr};
-    *volume = new deliso_volume{kName, volume_from_raw(grid, bytes)};
+    Volume made = volume_from_raw(grid, bytes);
+    *volume = new deliso_volume{kName, std::move(made), std::move(log)};
     return true;
   });
 }
@@ -149,7 +160,8 @@ deliso_status deliso_volume_read(const char* path, const char* const* options,
     require(path, "path");
     require(volume, "volume");
     const std::string name = text(*path == '-' ? "./" : "", path);  // no option
-    const CommandLine line = parse({"info", name}, options, Reads::now);
+    CommandLine line = parse({"info", name}, options, Reads::now);
+    line.read.as_labels = true;
     ReadLog log;
     Volume samples = read_volume(name, line.read, &log);
     *volume = new deliso_volume{name, std::move(samples), std::move(log), true};
@@ -188,9 +200,9 @@ deliso_status deliso_mesh_labels(const deliso_volume* volume, const char* const*
     const CommandLine line = line_of({"mesh", "--label=all"}, *volume, kNoIsovalue, options);
     Source source = ::source_of(*volume, line);
     const std::vector<CommandLine> lines = lines_of_labels(line, source);
-    source.labels =
-        label_fields(source.volume, line.field, source.labels, volume->name, line.options.threads)
-            .weighed();
+    source.labels = label_fields({source.volume, source.log.ids}, line.field, source.labels,
+                                 volume->name, line.options.threads)
+                        .weighed();
     bool all_sound = true;
     for (std::size_t n = 0; n < lines.size(); ++n) {
       const double all = static_cast<double>(lines.size()), begin = static_cast<double>(n) / all;
@@ -235,7 +247,7 @@ deliso_status deliso_mesh_shared(const deliso_volume* volume, const char* const*
   });
 }
 
-const int32_t* deliso_mesh_sides(const deliso_mesh* mesh, size_t* count) {
+const int64_t* deliso_mesh_sides(const deliso_mesh* mesh, size_t* count) {
   const auto& sides = mesh_or_empty(mesh).write.sides;
   if (count) *count = sides.size();
   return sides.empty() ? nullptr : sides.front().data();

@@ -56,7 +56,9 @@ typedef enum deliso_type {
   DELISO_UINT32,
   DELISO_INT32,
   DELISO_FLOAT32,
-  DELISO_FLOAT64
+  DELISO_FLOAT64,
+  DELISO_INT64, /* held as float64; if that is not exact, only the labels of these can be meshed */
+  DELISO_UINT64
 } deliso_type;
 
 /* Which index runs fastest: the last one, or the first one. */
@@ -136,7 +138,7 @@ DELISO_API deliso_status deliso_mesh_shared(const deliso_volume* volume, const c
  * seen counterclockwise, and the one behind. With the option "cap" the triangles on the border of
  * the volume have in front -1 at the low end of x, -2 at the high end, -3, -4 of y, and -5, -6 of
  * z. Null, and a count of 0, of any other mesh. `count` may be null. */
-DELISO_API const int32_t* deliso_mesh_sides(const deliso_mesh* mesh, size_t* count);
+DELISO_API const int64_t* deliso_mesh_sides(const deliso_mesh* mesh, size_t* count);
 
 /* Makes the mesh of one label of such a mesh, counterclockwise seen from outside: its triangles,
  * and their vertices. It is empty if no triangle has the label. It has no normals, report or
@@ -168,7 +170,7 @@ typedef struct deliso_mesh_data {
   const char* space;    /* of the volume, as in deliso_place */
   size_t first_cap;     /* triangles from this one on are caps; SIZE_MAX without the option "cap" */
   int single_precision; /* 1 with the option "float", else 0 */
-  const int32_t* sides; /* of deliso_mesh_sides(), two for each triangle; null if there are none */
+  const int64_t* sides; /* of deliso_mesh_sides(), two for each triangle; null if there are none */
   const char* names;    /* beside sides: lines "label name", of the segments that have a name */
   int32_t color;        /* of a label's segment: 0x1rrggbb, or 0 if it has none */
 } deliso_mesh_data;

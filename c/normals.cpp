@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "app/mesh_attributes.h"
 #include "base/parallel.h"
 #include "blocks/grid.h"
 #include "blocks/mesh_in_blocks.h"
@@ -25,10 +26,8 @@ Vec3 normal_at(const Vec3& p, const Volume& around, const Box3& box) {
   }
   const double largest = std::max({std::fabs(falls.x), std::fabs(falls.y), std::fabs(falls.z)});
   if (!(largest > 0) || !std::isfinite(largest)) return {};
-  falls = falls / largest;  // so that no square overflows
-  falls = falls / length(falls);
-  const Frame& at = around.frame();
-  return falls.x * at.axes[0] + falls.y * at.axes[1] + falls.z * at.axes[2];
+  falls = normal_in_world(falls / largest, around.frame());  // so that no square overflows
+  return falls / length(falls);
 }
 
 }  // namespace

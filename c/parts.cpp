@@ -29,6 +29,9 @@ VolumeSource volume_of(const deliso_source* given) {
   require(given, "source");
   if (!given->read) throw InputError("read is null");
   const SampleGrid grid = grid_of(given->type, given->shape, DELISO_C_ORDER, given->place);
+  if (grid.type.wide != StoredType::Wide::no) {
+    throw InputError("a source has no integers of 64 bits: give them as float64");
+  }
   // The shape's samples are never looked at.
   const std::span none(static_cast<const std::byte*>(nullptr), data_size(grid));
   const Volume shape = volume_from_raw(grid, {kName, none, nullptr});

@@ -54,6 +54,10 @@ void JsonWriter::add(std::string_view key, std::span<const double> values) {
   add_list(key, values);
 }
 
+void JsonWriter::add(std::string_view key, std::span<const std::int64_t> values) {
+  add_list(key, values);
+}
+
 void JsonWriter::add(std::string_view key, std::span<const std::string> values) {
   add_list(key, values);
 }
@@ -102,6 +106,10 @@ void JsonWriter::add_list(std::string_view key, std::span<const T> values) {
 
 void JsonWriter::append(double value) {
   text_ += std::isfinite(value) ? text(value) : "null";
+}
+
+void JsonWriter::append(std::int64_t value) {
+  text_ += std::to_string(value);
 }
 
 void JsonWriter::append(std::string_view s) {

@@ -29,6 +29,7 @@ class JsonWriter {
     add(key, std::span(values.begin(), values.size()));
   }
   void add(std::string_view key, std::span<const double> values);
+  void add(std::string_view key, std::span<const std::int64_t> values);
   void add(std::string_view key, std::span<const std::string> values);
   void add(std::string_view key, bool value);
   void add(std::string_view key, std::integral auto value) {
@@ -47,6 +48,7 @@ class JsonWriter {
   template <class T>
   void add_list(std::string_view key, std::span<const T> values);
   void append(double value);
+  void append(std::int64_t value);
   void append(std::string_view s);
 
   std::string text_;

@@ -201,10 +201,10 @@ double share_of_border(const Volume& own, const Volume& sum) {
 
 }  // namespace
 
-LabelFields::LabelFields(const Volume& volume, std::vector<LabelSamples> found,
+LabelFields::LabelFields(const Segmentation& samples, std::vector<LabelSamples> found,
                          std::span<const std::int64_t> united, const IndicatorFilter& filter,
                          std::string_view name, int threads)
-    : volume_(volume),
+    : samples_(samples),
       labels_(std::move(found)),
       united_(united.begin(), united.end()),
       filter_(filter),
@@ -240,7 +240,7 @@ SampleExtent LabelFields::box(const LabelSamples& of, int times) const {
   for (int axis = 0; axis < 3; ++axis) {
     const int margin = times * reach_[axis] + 1;
     box.first[axis] = std::max(0, of.first[axis] - margin);
-    box.last[axis] = std::min(volume_.dims()[axis] - 1, of.last[axis] + margin);
+    box.last[axis] = std::min(samples_.volume.dims()[axis] - 1, of.last[axis] + margin);
   }
   return box;
 }
@@ -250,14 +250,14 @@ Volume LabelFields::smoothed(std::size_t n, const SampleExtent& box) const {
   const std::int64_t label = labels_[n].label;
   const bool is_united = !united_.empty() && label == united_.front();
   const std::span<const std::int64_t> one(&label, 1);
-  Volume field = label_indicator(volume_, is_united ? united_ : one, box, threads_);
+  Volume field = label_indicator(samples_, is_united ? united_ : one, box, threads_);
   if (filter_.median > 0) field = median(field, filter_.median, threads_);
   return gaussian(field, filter_.sigma, threads_);
 }
 
 // Returns the samples of all labels from which a filter reaches the box of label n.
 std::vector<LabelSamples> LabelFields::near(std::size_t n) const {
-  std::vector<LabelSamples> found = find_labels(volume_, name_, threads_, box(labels_[n], 2));
+  std::vector<LabelSamples> found = find_labels(samples_, name_, threads_, box(labels_[n], 2));
   std::vector<std::int64_t> united;
   for (const LabelSamples& l : found) {
     if (std::ranges::find(united_, l.label) != united_.end()) united.push_back(l.label);
@@ -376,9 +376,9 @@ Volume LabelFields::weighted(std::int64_t label) {
       samples[at] = static_cast<float>(weight * static_cast<double>(s[at]));
     }
   });
-  const Volume like =
-      Volume::without_samples(of.dims(), volume_.spacing(), SampleType::f32, volume_.frame());
-  return volume_of(std::move(samples), like).as_block(of.first, volume_.dims());
+  const Volume like = Volume::without_samples(of.dims(), samples_.volume.spacing(), SampleType::f32,
+                                              samples_.volume.frame());
+  return volume_of(std::move(samples), like).as_block(of.first, samples_.volume.dims());
 }
 
 double inside_volume(const Volume& field, int threads) {

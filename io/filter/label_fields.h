@@ -39,7 +39,7 @@ class LabelFields {
  public:
   // `found` are all labels of the volume, in their order. Those of `united` count as one label,
   // named by the first of them. Throws as united_labels does. pre: the volume is no block.
-  LabelFields(const Volume& volume, std::vector<LabelSamples> found,
+  LabelFields(const Segmentation& samples, std::vector<LabelSamples> found,
               std::span<const std::int64_t> united, const IndicatorFilter& filter,
               std::string_view name, int threads);
 
@@ -71,7 +71,7 @@ class LabelFields {
   double weight_of_ball(std::size_t n) const;
   void weigh(std::vector<std::uint8_t> wanted);
 
-  Volume volume_;
+  Segmentation samples_;
   std::vector<LabelSamples> labels_;
   std::vector<std::int64_t> united_;
   IndicatorFilter filter_;

@@ -76,14 +76,6 @@ class Tally {
   }
 
  private:
-  template <class T>
-  static bool is_label(T value) {
-    if constexpr (std::is_floating_point_v<T>) {
-      return std::fabs(value) <= kLargestLabel && std::floor(value) == value;
-    }
-    return true;
-  }
-
   std::map<std::int64_t, Neighbors> values_;
   // Neighbors that differ; and by how much, the last for all larger differences.
   std::uint64_t differing_ = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Decides whether samples are the labels of a segmentation or those of a gray image.
 //
-//   L1  All samples are whole numbers of at most 2^53. They have at least two values, and at most
+//   L1  All samples are whole numbers of 64 bits. They have at least two values, and at most
 //       4096.
 //   L2  Half of the values or more are flat: half of their samples' neighbors along the axes, or
 //       more, have the same value. A ball of labels is flat from a radius of 1.5 samples on.

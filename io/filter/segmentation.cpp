@@ -42,9 +42,9 @@ void add(LabelSamples& to, const LabelSamples& from) {
 template <class T>
 std::int64_t label_of(T value, Index3 at, std::string_view name) {
   if constexpr (std::is_floating_point_v<T>) {
-    if (!(std::fabs(value) <= kLargestLabel) || std::floor(value) != value) {
+    if (!is_label(value)) {
       fail(name, "the sample at (", at.i, ", ", at.j, ", ", at.k, ") is ",
-           static_cast<double>(value), ", and labels are whole numbers");
+           static_cast<double>(value), ", and labels are whole numbers of 64 bits");
     }
   }
   return static_cast<std::int64_t>(value);
@@ -78,8 +78,10 @@ void add_row(Found& found, const T* row, Index3 dims, const SampleExtent& box, i
 
 }  // namespace
 
-std::vector<LabelSamples> find_labels(const Volume& volume, std::string_view name, int threads,
-                                      const std::optional<SampleExtent>& within) {
+std::vector<LabelSamples> find_labels(const Segmentation& samples_of, std::string_view name,
+                                      int threads, const std::optional<SampleExtent>& within) {
+  const Volume& volume = samples_of.volume;
+  const std::vector<std::int64_t>& ids = samples_of.ids;
   const Index3 dims = volume.dims();
   const SampleExtent box =
       within ? *within : SampleExtent{{0, 0, 0}, {dims.i - 1, dims.j - 1, dims.k - 1}};
@@ -104,7 +106,10 @@ std::vector<LabelSamples> find_labels(const Volume& volume, std::string_view nam
     }
   }
   std::vector<LabelSamples> labels;
-  for (const auto& [label, samples] : all) labels.push_back(samples);
+  for (auto& [label, samples] : all) {
+    if (!ids.empty()) samples.label = ids[static_cast<std::size_t>(label)];
+    labels.push_back(samples);
+  }
   return labels;
 }
 
@@ -127,16 +132,21 @@ LabelSamples united_labels(std::span<const LabelSamples> found,
   return all;
 }
 
-Volume label_indicator(const Volume& volume, std::span<const std::int64_t> labels,
+Volume label_indicator(const Segmentation& samples_of, std::span<const std::int64_t> labels,
                        const SampleExtent& box, int threads) {
+  const Volume& volume = samples_of.volume;
+  const std::vector<std::int64_t>& ids = samples_of.ids;
   DELISO_CHECK(!volume.is_block());
+  std::vector<std::int64_t> values(labels.begin(), labels.end());  // of their samples
+  if (!ids.empty()) {
+    for (std::int64_t& value : values) value = std::ranges::lower_bound(ids, value) - ids.begin();
+  }
   const Index3 first = box.first, dims = box.dims();
   const std::size_t nx = static_cast<std::size_t>(dims.i), ny = static_cast<std::size_t>(dims.j);
   Buffer buffer(nx * ny * static_cast<std::size_t>(dims.k));
   auto* const out = reinterpret_cast<std::uint8_t*>(buffer.data.get());
   const auto is_in = [&](auto value) {
-    return std::find(labels.begin(), labels.end(), static_cast<std::int64_t>(value)) !=
-           labels.end();
+    return std::ranges::find(values, static_cast<std::int64_t>(value)) != values.end();
   };
   volume.visit([&](const auto* samples) {
     for_each_task(threads, static_cast<std::size_t>(dims.k), [&](std::size_t k) {

@@ -28,7 +28,7 @@ constexpr double kEdgeTolerance = 1e-9;
 
 // The side of a facet that a label is on.
 struct Side {
-  std::int32_t label;
+  std::int64_t label;
   std::uint32_t facet;
   std::uint8_t side;  // 0: in front, 1: behind
 };

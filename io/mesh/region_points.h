@@ -20,13 +20,13 @@ namespace deliso {
 
 struct RegionPoint {
   Vec3 p;
-  std::int32_t label = 0;
+  std::int64_t label = 0;
 };
 
 struct RegionPoints {
   std::vector<RegionPoint> points;  // in the order of the labels
   // Labels of which a component is open, ascending: it bounds no region, and has no point.
-  std::vector<std::int32_t> open;
+  std::vector<std::int64_t> open;
 };
 
 // Triangles with a label in front of each and one behind. Of those from `first_cap` on, which close
@@ -34,7 +34,7 @@ struct RegionPoints {
 struct LabeledTriangles {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;  // counter-clockwise seen from the label in front
-  std::span<const std::array<std::int32_t, 2>> sides;
+  std::span<const std::array<std::int64_t, 2>> sides;
   std::size_t first_cap = 0;
 
   // True if the facet borders on a label in front (0) or behind (1).

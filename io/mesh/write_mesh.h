@@ -87,7 +87,7 @@ struct MeshWriteOptions {
   // front for the face of the box that it is on. PLY and VTP hold them. TetGen's formats have a
   // marker for each pair, and a point in each bounded region with its label
   // (io/mesh/region_points.h). pre: no attributes.
-  std::vector<std::array<std::int32_t, 2>> sides{};
+  std::vector<std::array<std::int64_t, 2>> sides{};
   std::string name{};  // of the object; empty: the file's without its ending, or "mesh"
   std::optional<ObjectLabel> label{};  // pre: holds_objects()
 };

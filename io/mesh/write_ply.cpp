@@ -6,18 +6,19 @@
 
 #include "base/text.h"
 #include "io/files/atomic_file.h"
+#include "io/mesh/label_numbers.h"
 #include "io/mesh/mesh_formats.h"
 #include "io/mesh/write_mesh.h"
 
 namespace deliso {
 namespace {
 
-std::string header(const WorldMesh& mesh) {
+std::string header(const WorldMesh& mesh, const LabelNumbers& numbers) {
   const MeshWriteOptions& options = mesh.options();
   std::string lines =
       text("ply\nformat ", options.ascii ? "ascii" : "binary_little_endian", " 1.0\ncomment DelIso",
-           mesh.space_note(), "\n", mesh.comment_line("comment ", "\n"), "element vertex ",
-           mesh.vertex_count(), "\n");
+           mesh.space_note(), "\n", mesh.comment_line("comment ", "\n"), numbers.lines("comment "),
+           "element vertex ", mesh.vertex_count(), "\n");
   for (const char* axis : {"x", "y", "z"}) {
     lines += text("property ", options.single_precision ? "float" : "double", " ", axis, "\n");
   }
@@ -37,7 +38,8 @@ void write_ply(AtomicFile& out, std::span<const WorldMesh> objects) {
   const WorldMesh& mesh = objects.front();
   const MeshWriteOptions& options = mesh.options();
   const std::optional<MeshAttributes>& attributes = options.attributes;
-  out.write(header(mesh));
+  const LabelNumbers numbers(options);
+  out.write(header(mesh, numbers));
   // Writes a property; `last`: of its line.
   const auto put = [&](auto value, bool last) {
     options.ascii ? put_text(out, value, last ? '\n' : ' ') : put_binary(out, value);
@@ -56,8 +58,8 @@ void write_ply(AtomicFile& out, std::span<const WorldMesh> objects) {
     put(std::uint8_t{3}, false);
     for (int i = 0; i < 3; ++i) put(t[i].number(), i == 2 && !attributes && options.sides.empty());
     if (!options.sides.empty()) {
-      put(options.sides[f][0], false);
-      put(options.sides[f][1], true);
+      put(numbers(options.sides[f][0]), false);
+      put(numbers(options.sides[f][1]), true);
     }
     if (!attributes) continue;
     put(attributes->component[f], false);

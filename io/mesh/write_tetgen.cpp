@@ -10,6 +10,7 @@
 
 #include "base/sorted_list.h"
 #include "base/text.h"
+#include "io/mesh/label_numbers.h"
 #include "io/mesh/mesh_formats.h"
 #include "io/mesh/region_points.h"
 
@@ -20,7 +21,7 @@ namespace {
 // With labels, the marker is the place of a facet's kind among all kinds, counted from 1.
 struct Kind {
   bool is_cap;  // these come last
-  std::array<std::int32_t, 2> labels{};
+  std::array<std::int64_t, 2> labels{};
   friend bool operator<(const Kind& a, const Kind& b) {
     return std::tie(a.is_cap, a.labels) < std::tie(b.is_cap, b.labels);
   }
@@ -56,7 +57,8 @@ RegionPoints regions_of(const WorldMesh& mesh) {
 }
 
 // Writes what the markers stand for, and which labels have no region.
-void write_table(AtomicFile& out, const std::vector<Kind>& kinds, const RegionPoints& regions) {
+void write_table(AtomicFile& out, const std::vector<Kind>& kinds, const RegionPoints& regions,
+                 const LabelNumbers& numbers) {
   out.write("# marker, label in front, label behind");
   if (kinds.back().is_cap) {
     out.write(
@@ -67,17 +69,19 @@ void write_table(AtomicFile& out, const std::vector<Kind>& kinds, const RegionPo
   for (std::size_t n = 0; n < kinds.size(); ++n) {
     out.write(text("# ", n + 1, " ", kinds[n].labels[0], " ", kinds[n].labels[1], "\n"));
   }
+  out.write(numbers.lines("# region of "));
   if (regions.open.empty()) return;
   out.write("# surfaces that end at the box bound no region; labels that have some:");
-  for (const std::int32_t label : regions.open) out.write(text(" ", label));
+  for (const std::int64_t label : regions.open) out.write(text(" ", label));
   out.write("\n");
 }
 
 void write_tetgen(AtomicFile& out, const WorldMesh& mesh, bool as_poly) {
   const std::vector<Kind> kinds = kinds_of(mesh);
   const RegionPoints regions = regions_of(mesh);
+  const LabelNumbers numbers(mesh.options());
   out.write("# DelIso" + mesh.space_note() + "\n" + mesh.comment_line("# ", "\n"));
-  if (!mesh.options().sides.empty()) write_table(out, kinds, regions);
+  if (!mesh.options().sides.empty()) write_table(out, kinds, regions, numbers);
   put_text(out, mesh.vertex_count(), ' ');
   out.write("3 0 0\n");  // dimensions, values and markers of vertices
   std::size_t v = 0;
@@ -105,7 +109,7 @@ void write_tetgen(AtomicFile& out, const WorldMesh& mesh, bool as_poly) {
   for (const auto& [p, label] : regions.points) {
     put_text(out, ++number, ' ');
     for (int axis = 0; axis < 3; ++axis) put_text(out, p[axis], ' ');
-    put_text(out, label, ' ');
+    put_text(out, numbers(label), ' ');
     out.write("-1\n");  // no limit on the volume of its tetrahedra
   }
 }

@@ -2,6 +2,7 @@
 // VTP (VTK XML PolyData): an XML head that describes the arrays, then the raw arrays after the
 // underscore of AppendedData, each after its size in bytes. Offsets count from that underscore.
 #include "base/text.h"
+#include "io/mesh/label_numbers.h"
 #include "io/mesh/mesh_formats.h"
 
 namespace deliso {
@@ -34,7 +35,9 @@ void write_vtp(AtomicFile& out, std::span<const WorldMesh> objects) {
   const std::uint64_t corner_bytes = facets * 3 * sizeof(std::int64_t);
   const std::uint64_t end_bytes = facets * sizeof(std::int64_t);
   const std::uint64_t normal_bytes = points * 3 * sizeof(float);
-  const std::uint64_t value_bytes = facets * 4;  // of components, distances, or labels of a side
+  const std::uint64_t value_bytes = facets * 4;  // of components or distances
+  const bool short_labels = LabelNumbers(options).all_fit();
+  const std::uint64_t side_bytes = facets * (short_labels ? 4 : 8);
   const std::uint64_t color_bytes = facets * 3;
   const std::uint64_t points_at = place(point_bytes), corners_at = place(corner_bytes);
   const std::uint64_t ends_at = place(end_bytes);
@@ -73,8 +76,10 @@ void write_vtp(AtomicFile& out, std::span<const WorldMesh> objects) {
           data_array(R"(type="UInt8" Name="color" NumberOfComponents="3")", place(color_bytes)));
     }
     if (!options.sides.empty()) {
-      out.write(data_array(R"(type="Int32" Name="label_front")", place(value_bytes)));
-      out.write(data_array(R"(type="Int32" Name="label_behind")", place(value_bytes)));
+      for (const char* name : {"label_front", "label_behind"}) {
+        const std::string type = text("type=\"", short_labels ? "Int32" : "Int64", "\" Name=\"");
+        out.write(data_array((type + name + "\"").c_str(), place(side_bytes)));
+      }
     }
     out.write("      </CellData>\n");
   }
@@ -140,8 +145,11 @@ _)");
     });
   }
   for (std::size_t n = 0; n < 2 && !options.sides.empty(); ++n) {
-    put_binary(out, value_bytes);
-    for (const auto& labels : options.sides) put_binary(out, labels[n]);
+    put_binary(out, side_bytes);
+    for (const auto& labels : options.sides) {
+      short_labels ? put_binary(out, static_cast<std::int32_t>(labels[n]))
+                   : put_binary(out, labels[n]);
+    }
   }
   out.write("\n  </AppendedData>\n</VTKFile>\n");
 }

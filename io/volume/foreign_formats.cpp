@@ -58,7 +58,8 @@ constexpr Signature kSignatures[] = {
 // Refuses formats whose first bytes are those of others: MINC is HDF5, too.
 void refuse_name(const std::string& name) {
   constexpr std::pair<std::string_view, const char*> kEndings[] = {
-      {".mgz", "MGH"}, {".mgh", "MGH"}, {".mnc", "MINC"}};
+      {".mgz", "MGH"},   {".mgh", "MGH"},     {".mnc", "MINC"},    {".head", "AFNI"},
+      {".brik", "AFNI"}, {".par", "PAR/REC"}, {".rec", "PAR/REC"}, {".brik.gz", "AFNI"}};
   for (const auto& [ending, format] : kEndings) {
     if (lower(name).ends_with(ending)) fail(name, "is ", format, kByNibabel);
   }

@@ -20,21 +20,32 @@ std::size_t choose_array(const VolumeInput& input, std::vector<NamedArray> array
                                     arrays.begin());
   };
   const std::optional<std::string>& wanted = input.options.array;
+  const auto is_usable = [](const NamedArray& array) {
+    return array.components == 1 && sample_type_named(array.type);
+  };
   std::size_t chosen = index_of(wanted ? *wanted : active);
   if (chosen == arrays.size() && wanted) {
     const std::string names =
         joined(arrays, ", ", [](const NamedArray& array) { return quote(array.name); });
     fail(input.name(), "has no array ", quote(*wanted), ", but ", names);
   }
-  if (chosen == arrays.size()) {
-    const auto usable = std::ranges::find_if(arrays, [](const NamedArray& array) {
-      return array.components == 1 && sample_type_named(array.type);
+  if (chosen == arrays.size() || (!wanted && !is_usable(arrays[chosen]))) {
+    // Integers of 64 bits last: they often number the points.
+    auto usable = std::ranges::find_if(arrays, [&](const NamedArray& array) {
+      return is_usable(array) && sample_type_named(array.type)->wide == StoredType::Wide::no;
     });
-    chosen = usable == arrays.end() ? 0 : static_cast<std::size_t>(usable - arrays.begin());
+    if (usable == arrays.end()) usable = std::ranges::find_if(arrays, is_usable);
+    if (usable != arrays.end()) chosen = static_cast<std::size_t>(usable - arrays.begin());
+    if (chosen == arrays.size()) chosen = 0;
   }
   if (arrays[chosen].components != 1) {
+    std::string others;
+    for (const NamedArray& array : arrays) {
+      if (is_usable(array))
+        others += text(others.empty() ? "; --array takes " : ", ", quote(array.name));
+    }
     fail(input.name(), "array ", quote(arrays[chosen].name), " has ", arrays[chosen].components,
-         " components per point: only scalar volumes can be meshed");
+         " components per point: only scalar volumes can be meshed", others);
   }
   if (!wanted && arrays.size() > 1) {
     input.note(one_line(text("array ", quote(arrays[chosen].name), " is read, one of ",

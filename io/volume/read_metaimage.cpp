@@ -39,7 +39,7 @@ struct MetaHeader : HeaderFields {
 };
 
 // MetaIO's long types have four bytes on every machine.
-SampleType element_type(const VolumeInput& input, std::string_view name) {
+StoredType element_type(const VolumeInput& input, std::string_view name) {
   if (name == "MET_LONG") return SampleType::i32;
   if (name == "MET_ULONG") return SampleType::u32;
   return supported_type(input, name);
@@ -48,8 +48,10 @@ SampleType element_type(const VolumeInput& input, std::string_view name) {
 // Sets the steps: spacing times the axes' directions, which are the rows of TransformMatrix.
 void read_geometry(const MetaHeader& header, std::size_t dimension, SampleGrid& grid) {
   Vec3 spacing{1, 1, 1};
-  if (const auto values = header.numbers({"ElementSpacing", "ElementSize"}, dimension))
-    spacing = {(*values)[0], (*values)[1], (*values)[2]};
+  if (!grid.read.spacing) {
+    if (const auto values = header.numbers({"ElementSpacing", "ElementSize"}, dimension))
+      spacing = {(*values)[0], (*values)[1], (*values)[2]};
+  }
   grid.set_spacing(spacing);
   if (const auto matrix =
           header.numbers({"TransformMatrix", "Rotation", "Orientation"}, dimension * dimension)) {
@@ -59,8 +61,10 @@ void read_geometry(const MetaHeader& header, std::size_t dimension, SampleGrid& 
       grid.steps[axis] = grid.steps[axis][static_cast<int>(axis)] * Vec3{row[0], row[1], row[2]};
     }
   }
-  if (const auto origin = header.numbers({"Offset", "Position", "Origin"}, dimension))
-    grid.origin = {(*origin)[0], (*origin)[1], (*origin)[2]};
+  if (!grid.read.origin) {
+    if (const auto origin = header.numbers({"Offset", "Position", "Origin"}, dimension))
+      grid.origin = {(*origin)[0], (*origin)[1], (*origin)[2]};
+  }
   grid.space = AnatomicalSpace::lps;
 }
 

@@ -104,20 +104,22 @@ std::optional<NiftiHeader> parse_header(std::span<const std::byte> bytes) {
   return std::nullopt;
 }
 
-SampleType sample_type(const VolumeInput& input, int datatype) {
-  constexpr std::pair<int, SampleType> kTypes[] = {
+StoredType sample_type(const VolumeInput& input, int datatype) {
+  using Wide = StoredType::Wide;
+  constexpr std::pair<int, StoredType> kTypes[] = {
       {2, SampleType::u8},   {4, SampleType::i16},  {8, SampleType::i32},   {16, SampleType::f32},
-      {64, SampleType::f64}, {256, SampleType::i8}, {512, SampleType::u16}, {768, SampleType::u32}};
+      {64, SampleType::f64}, {256, SampleType::i8}, {512, SampleType::u16}, {768, SampleType::u32},
+      {1024, Wide::i64},     {1280, Wide::u64}};
   for (const auto& [number, type] : kTypes) {
     if (number == datatype) return type;
   }
   fail(input.name(), "NIfTI datatype ", datatype,
-       " is not supported (integers of up to 32 bits, float32, float64 are)");
+       " is not supported (integers of 8 to 64 bits, float32, float64 are)");
 }
 
 // nifti1.h, "Orientation and location in space": method 3 (sform) if given, else method 2 (qform),
 // else method 1 (the spacings alone).
-void read_geometry(const NiftiHeader& h, SampleGrid& grid) {
+void read_geometry(const VolumeInput& input, const NiftiHeader& h, SampleGrid& grid) {
   if (h.sform_code > 0) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       grid.steps[axis] = {h.srow[0][axis], h.srow[1][axis], h.srow[2][axis]};
@@ -126,7 +128,12 @@ void read_geometry(const NiftiHeader& h, SampleGrid& grid) {
     return;
   }
   grid.set_spacing({h.pixdim[1], h.pixdim[2], h.pixdim[3]});
-  if (h.qform_code <= 0) return;
+  if (h.qform_code <= 0) {
+    input.note(
+        "its qform and sform codes are 0: by the standard's method 1, sample (0, 0, 0) is at the "
+        "origin, and no space is known");
+    return;
+  }
   double b = h.quatern[0], c = h.quatern[1], d = h.quatern[2];
   double a = 1 - (b * b + c * c + d * d);
   if (a < 1e-7) {  // a half turn: rounding must not leave it a non-unit quaternion
@@ -178,7 +185,7 @@ SampleGrid read_grid(const VolumeInput& input, const NiftiHeader& h) {
   set_axes(grid, std::array{DataAxis{Kind::x, h.dim[1]}, DataAxis{Kind::y, h.dim[2]},
                             DataAxis{Kind::z, h.dim[3]}, DataAxis{Kind::time, size(4)},
                             DataAxis{Kind::channel, size(5)}});
-  read_geometry(h, grid);
+  read_geometry(input, h, grid);
   to_millimeters(input, h, grid);
   return grid;
 }
@@ -195,8 +202,12 @@ Bytes open_image_file(const VolumeInput& input) {
   return open_data_file(input, stem + (packed && !plain ? ".img.gz" : ".img"));
 }
 
+bool is_scaled(const NiftiHeader& h) {
+  return h.slope != 0 && (h.slope != 1 || h.intercept != 0);
+}
+
 Volume apply_scaling(const VolumeInput& input, const NiftiHeader& h, const Volume& volume) {
-  if (h.slope == 0 || (h.slope == 1 && h.intercept == 0)) return volume;
+  if (!is_scaled(h)) return volume;
   if (!std::isfinite(h.slope)) {
     input.note("scl_slope is not finite; the samples are taken as stored");
     return volume;
@@ -221,7 +232,8 @@ Volume read_nifti(const VolumeInput& input) {
   }
   const std::optional<NiftiHeader> header = parse_header(head);
   if (!header) refuse_gzip(input.name());
-  const SampleGrid grid = read_grid(input, *header);
+  SampleGrid grid = read_grid(input, *header);
+  if (is_scaled(*header)) grid.read.as_labels = false;  // numbers of ids have no scale
 
   const Bytes data = header->in_one_file ? input.bytes : open_image_file(input);
   const double offset = header->data_offset;

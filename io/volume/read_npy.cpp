@@ -63,11 +63,9 @@ std::vector<std::int64_t> shape_of(const VolumeInput& input, std::string_view he
   return *shape;
 }
 
-// How the samples are stored. Integers of 64 bits become float64.
 struct NpySamples {
-  SampleType type = SampleType::u8;
+  StoredType type = SampleType::u8;
   std::endian byte_order = std::endian::little;
-  char wide = 0;  // 'i' or 'u' for 64-bit integers
 };
 
 NpySamples samples_of(const VolumeInput& input, std::string_view header) {
@@ -76,33 +74,19 @@ NpySamples samples_of(const VolumeInput& input, std::string_view header) {
   NpySamples samples;
   if (descr.starts_with('>')) samples.byte_order = std::endian::big;
   const std::string_view kind = descr.substr(std::min<std::size_t>(1, descr.size()));
-  constexpr std::pair<std::string_view, SampleType> kKinds[] = {
+  using Wide = StoredType::Wide;
+  constexpr std::pair<std::string_view, StoredType> kKinds[] = {
       {"b1", SampleType::u8},  {"u1", SampleType::u8},  {"i1", SampleType::i8},
       {"u2", SampleType::u16}, {"i2", SampleType::i16}, {"u4", SampleType::u32},
       {"i4", SampleType::i32}, {"f4", SampleType::f32}, {"f8", SampleType::f64},
-      {"i8", SampleType::f64}, {"u8", SampleType::f64}};
+      {"i8", Wide::i64},       {"u8", Wide::u64}};
   for (const auto& [name, type] : kKinds) {
     if (kind != name) continue;
     samples.type = type;
-    if (kind == "i8" || kind == "u8") samples.wide = kind[0];
     return samples;
   }
   fail(input.name(), "samples of type ", quote(descr),
        " are not supported: write the array with astype('float32')");
-}
-
-// Returns the 64-bit integers of `data` as float64, in native order.
-Bytes widened(const Bytes& data, const NpySamples& samples) {
-  const std::size_t count = data.size() / 8;
-  Buffer buffer(8 * count);
-  const FieldReader integers(data.data, samples.byte_order);
-  for (std::size_t n = 0; n < count; ++n) {
-    const double value = samples.wide == 'i'
-                             ? static_cast<double>(integers.get<std::int64_t>(8 * n))
-                             : static_cast<double>(integers.get<std::uint64_t>(8 * n));
-    std::memcpy(buffer.span().data() + 8 * n, &value, 8);
-  }
-  return bytes_of(std::move(buffer), data.name);
 }
 
 }  // namespace
@@ -143,12 +127,7 @@ Volume read_npy(const VolumeInput& input) {
     std::swap(grid.steps[0], grid.steps[2]);
     if (grid.read.spacing) std::swap(grid.read.spacing->x, grid.read.spacing->z);
   }
-  const Bytes data = bytes.from(begin + length);
-  if (samples.wide == 0) return volume_from_raw(grid, data);
-  if (data.size() != data_size(grid)) return volume_from_raw(grid, data);  // refuses the size
-  grid.byte_order = std::endian::native;
-  input.note("64-bit integers are read as float64");
-  return volume_from_raw(grid, widened(data, samples));
+  return volume_from_raw(grid, bytes.from(begin + length));
 }
 
 }  // namespace deliso

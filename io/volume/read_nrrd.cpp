@@ -151,7 +151,7 @@ void read_geometry(const VolumeInput& input, const NrrdHeader& header,
       if (!(*vectors)[axes[n]]) header.fail_field("spacedirections", "an axis is not spatial");
       grid.steps[n] = *(*vectors)[axes[n]];
     }
-    if (header.has("spaceorigin")) {
+    if (header.has("spaceorigin") && !grid.read.origin) {
       const auto origin = parse_vectors(header.get("spaceorigin"));
       if (!origin || origin->size() != 1 || !origin->front())
         header.fail_field("spaceorigin", "not a vector of three numbers");
@@ -160,12 +160,14 @@ void read_geometry(const VolumeInput& input, const NrrdHeader& header,
     return;
   }
 
-  Vec3 spacing{1, 1, 1};
+  Vec3 spacing = grid.read.spacing.value_or(Vec3{1, 1, 1});
   const std::vector<std::string_view> centers = words_of(header.get("centers", ""));
   const auto is_cell = [&](std::size_t axis) {
     return axis < centers.size() && lower(centers[axis]) == "cell";
   };
-  if (header.has("spacings")) {
+  if (grid.read.spacing) {
+    // It stands for all that the header has.
+  } else if (header.has("spacings")) {
     const std::vector<double> values = *header.numbers({"spacings"}, dimension);
     for (int n = 0; n < 3; ++n) spacing[n] = values[axes[static_cast<std::size_t>(n)]];
   } else if (header.has("axismins") && header.has("axismaxs")) {
@@ -225,6 +227,10 @@ SampleGrid read_grid(const VolumeInput& input, const NrrdHeader& header) {
   if (static_cast<std::int64_t>(sizes->size()) != dimension)
     header.fail_field("sizes", "not ", dimension, " numbers as 'dimension' says");
   const NrrdAxes axes = axes_of(input, header, *sizes);
+  if ((*sizes)[0] <= 4 && sizes->size() == 3 && !header.has("kinds") && !header.has("space")) {
+    input.note("its sizes are ", header.get("sizes"),
+               ", without kinds: taken as a volume, though it may be a picture in color");
+  }
   const std::vector<NamedSegment> named = segments_of(header);
   const std::string segments =
       joined(named, ", ", [](const NamedSegment& segment) { return quote(segment.name); });

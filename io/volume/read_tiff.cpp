@@ -38,7 +38,7 @@ using namespace std::string_view_literals;
 constexpr std::pair<std::uint64_t, std::string_view> kColors[] = {
     {2, "RGB"}, {3, "a palette"}, {5, "CMYK"}, {6, "YCbCr"}, {8, "CIELab"}};
 
-SampleType sample_type(const VolumeInput& input, const TiffPage& page) {
+StoredType sample_type(const VolumeInput& input, const TiffPage& page) {
   for (const auto& [code, name] : kColors) {
     if (page.photometric == code) {
       fail(input.name(), "is in color (", name, "): only grayscale can be meshed");
@@ -48,21 +48,25 @@ SampleType sample_type(const VolumeInput& input, const TiffPage& page) {
     fail(input.name(), "has ", page.samples, " samples per pixel: only grayscale can be meshed");
   }
   // Format 4 is "undefined", and used like 1.
-  constexpr std::tuple<std::uint64_t, std::uint64_t, SampleType> kTypes[] = {
+  const std::uint64_t wanted = page.sample_format == 4 ? 1 : page.sample_format;
+  if (wanted == 1 && is_packed(page)) return page.word() == 1 ? SampleType::u8 : SampleType::u16;
+  using Wide = StoredType::Wide;
+  constexpr std::tuple<std::uint64_t, std::uint64_t, StoredType> kTypes[] = {
       {1, 8, SampleType::u8},   {2, 8, SampleType::i8},   {1, 16, SampleType::u16},
       {2, 16, SampleType::i16}, {1, 32, SampleType::u32}, {2, 32, SampleType::i32},
-      {3, 32, SampleType::f32}, {3, 64, SampleType::f64}};
+      {1, 64, Wide::u64},       {2, 64, Wide::i64},       {3, 32, SampleType::f32},
+      {3, 64, SampleType::f64}};
   for (const auto& [format, bits, type] : kTypes) {
-    if (format == (page.sample_format == 4 ? 1 : page.sample_format) && bits == page.bits) {
-      return type;
-    }
+    if (format == wanted && bits == page.bits) return type;
   }
   const std::string_view kind = page.sample_format == 1   ? "unsigned integers"
                                 : page.sample_format == 2 ? "signed integers"
                                 : page.sample_format == 3 ? "floating point numbers"
                                                           : "complex numbers";
   fail(input.name(), "its samples are ", kind, " of ", page.bits,
-       " bits (integers of 8, 16 and 32, floating point of 32 and 64 are read)");
+       " bits (unsigned integers of 1 to 16, 32 and 64, signed ones of 8, 16, 32 and 64, floating "
+       "point "
+       "of 32 and 64 are read)");
 }
 
 // Refuses a page that cannot be read, or does not go with the first. Messages call them `name` and
@@ -206,7 +210,14 @@ std::vector<DataAxis> axes_of(const VolumeInput& input, const Description& descr
   if (!order.starts_with("XY") || !std::ranges::is_permutation(order.substr(2), "ZCT"sv)) {
     fail(input.name(), "its DimensionOrder is ", quote(order), ", not XY and Z, C, T");
   }
-  const VolumeCounts counts = description.counts();
+  VolumeCounts counts = description.counts();
+  // Programs that write the slices of a volume without saying so: ImageJ takes them for channels.
+  if (description.is_imagej() && description.count("slices") == 1 &&
+      (counts.channels == planes || counts.times == planes)) {
+    input.note("its ", planes, counts.times == 1 ? " channels" : " times",
+               " of one slice are taken as slices");
+    counts = {};
+  }
   const bool is_one = counts.channels == 1 && counts.times == 1;
   std::vector<DataAxis> axes;
   for (const char axis : order.substr(2)) {

@@ -124,6 +124,7 @@ SampleGrid grid_of(const VolumeInput& input) {
   grid.name = input.name();
   grid.read = input.options;
   grid.is_of_file = true;
+  grid.log = &input.log;
   return grid;
 }
 
@@ -139,13 +140,13 @@ Bytes open_data_file(const VolumeInput& input, std::string_view file_name) {
   }
 }
 
-SampleType supported_type(const VolumeInput& input, std::string_view name) {
-  if (const std::optional<SampleType> type = sample_type_named(name)) return *type;
+StoredType supported_type(const VolumeInput& input, std::string_view name) {
+  if (const std::optional<StoredType> type = sample_type_named(name)) return *type;
   fail(input.name(), "sample type ", quote(name),
-       " is not supported (integers of up to 32 bits, float32, float64 are)");
+       " is not supported (integers of 8 to 64 bits, float32, float64 are)");
 }
 
-std::optional<SampleType> sample_type_named(std::string_view name) {
+std::optional<StoredType> sample_type_named(std::string_view name) {
   std::string plain = lower(trimmed(name));
   for (char& c : plain)
     if (c == '_') c = ' ';
@@ -153,8 +154,9 @@ std::optional<SampleType> sample_type_named(std::string_view name) {
   if (plain.ends_with(" t")) plain.resize(plain.size() - 2);
   struct Spelling {
     std::string_view name;
-    SampleType type;
+    StoredType type;
   };
+  using Wide = StoredType::Wide;
   constexpr Spelling spellings[] = {
       {"uint8", SampleType::u8},
       {"uchar", SampleType::u8},
@@ -177,6 +179,17 @@ std::optional<SampleType> sample_type_named(std::string_view name) {
       {"int32", SampleType::i32},
       {"int", SampleType::i32},
       {"signed int", SampleType::i32},
+      {"int64", Wide::i64},
+      {"long long", Wide::i64},
+      {"long long int", Wide::i64},
+      {"signed long long", Wide::i64},
+      {"signed long long int", Wide::i64},
+      {"longlong", Wide::i64},
+      {"uint64", Wide::u64},
+      {"unsigned long long", Wide::u64},
+      {"unsigned long long int", Wide::u64},
+      {"ulonglong", Wide::u64},
+      {"ulong long", Wide::u64},
       {"float32", SampleType::f32},
       {"float", SampleType::f32},
       {"float64", SampleType::f64},
@@ -215,9 +228,11 @@ Index3 parse_dims(std::string_view text) {
   return dims;
 }
 
-SampleType parse_sample_type(std::string_view text) {
-  if (const std::optional<SampleType> type = sample_type_named(text)) return *type;
-  fail_option(text, "a sample type (uint8, int8, uint16, int16, uint32, int32, float32, float64)");
+StoredType parse_sample_type(std::string_view text) {
+  if (const std::optional<StoredType> type = sample_type_named(text)) return *type;
+  fail_option(
+      text,
+      "a sample type (uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64)");
 }
 
 }  // namespace deliso

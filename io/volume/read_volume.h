@@ -17,10 +17,11 @@
 //   plain           any, dims and type from options   raw
 //   built-in        builtin:NAME[:SIZE]               computed (builtin_volume.h)
 //
-// 1. Samples stay in their file type: uint8/16/32, int8/16/32, float32/64, either byte order. Two
-//    are converted, and the log says so. Scaled samples (of NIfTI, DICOM, ImageJ) become float32
-//    from types of up to 16 bits and float32, else float64. NumPy's 64-bit integers become
-//    float64.
+// 1. Samples stay in their file type: uint8/16/32, int8/16/32, float32/64, either byte order. Three
+//    are converted, and the log says so of the first two. Scaled samples (of NIfTI, DICOM, ImageJ)
+//    become float32 from types of up to 16 bits and float32, else float64. Integers of 64 bits
+//    become float64, or numbers of ids (io/volume/wide_integers.h). TIFF's integers of other sizes
+//    up to 16 bits become uint8 or uint16.
 // 2. The content decides the format; the name decides only where the content cannot (MetaImage,
 //    .raw). A .nhdr or .mhd has its data beside it.
 // 3. Coordinates are those of the file, in its own unit and, unless the options turn them, its own
@@ -28,9 +29,11 @@
 //    space: RAS+ for NIfTI, LPS+ for MetaImage and DICOM, the field "space" for NRRD. NIfTI's
 //    meters and micrometers become millimeters, which the unit is in these spaces.
 // 4. Refused with a message, never guessed:
-//    - other 64-bit integers, complex samples, several components;
+//    - 64-bit integers that float64 does not hold, if they are no labels; complex samples, several
+//      components;
 //    - several channels or times, if no option chooses one (SeveralVolumes);
-//    - sheared grids: axes not at right angles within 1e-4;
+//    - axes near one plane. Others that are not at right angles are kept: the mesh is of the grid
+//      of samples, and its vertices are mapped to the world;
 //    - data of another size than in the header, more than one data file or piece;
 //    - DICOM slices that are missing; several series, if the options name none (SeveralSeries);
 //    - TIFF slices of different sizes or types;
@@ -38,8 +41,8 @@
 //    - bzip2, hex, lz4 and lzma encodings.
 //    For other formats with known first bytes the message has a way to convert them
 //    (foreign_formats.h).
-// 5. Of several arrays (VTK) the options name one. Else it is the one that the file calls active,
-//    else the first that can be meshed, and the log says so.
+// 5. Of several arrays (VTK) the options name one. Else it is the one that the file calls active, if
+//    it can be meshed, else the first that can, and the log says so.
 //    Of several channels or times the options choose one (several_volumes.h).
 // 6. A hostile or damaged file gives an InputError or a valid volume. Memory is allocated only for
 //    data that exists. value_range() finds NaN and infinite samples.
@@ -67,10 +70,26 @@ struct Roi {
   Index3 begin, end;
 };
 
+// How a file stores samples: as a volume has them, or as integers of 64 bits, which no volume has.
+struct StoredType {
+  enum class Wide : std::uint8_t { no, i64, u64 };
+  constexpr StoredType(SampleType known) : type(known) {}
+  constexpr StoredType(Wide integers) : type(SampleType::f64), wide(integers) {}
+  constexpr operator SampleType() const { return type; }
+
+  SampleType type;  // f64 of wide ones, and so of their size
+  Wide wide = Wide::no;
+};
+constexpr std::string_view name_of(StoredType type) {
+  return type.wide == StoredType::Wide::no    ? name_of(type.type)
+         : type.wide == StoredType::Wide::i64 ? "int64"
+                                              : "uint64";
+}
+
 // The layout of a file without a header.
 struct RawLayout {
   Index3 dims;
-  SampleType type = SampleType::u8;
+  StoredType type = SampleType::u8;
   std::endian byte_order = std::endian::little;
   std::uint64_t skip = 0;  // bytes before the first sample
 };
@@ -91,6 +110,7 @@ struct ReadOptions {
   AnatomicalSpace space = AnatomicalSpace::unknown;
   // Which of several volumes in a file, counted from 1.
   std::optional<std::int64_t> channel{}, time{};
+  bool as_labels = false;  // integers of 64 bits that float64 does not hold become ReadLog::ids
   ExpansionBudget budget{};
 };
 
@@ -116,6 +136,8 @@ struct ReadLog {
   std::vector<FileState> files;        // all that the volume is made of, header and data
   std::vector<NamedArray> arrays;      // of formats that name theirs (VTK)
   std::vector<NamedSegment> segments;  // of the channel that was read
+  // If not empty, sample n stands for ids[n], in ascending order (io/volume/wide_integers.h).
+  std::vector<std::int64_t> ids;
 
   std::vector<std::string> paths() const {
     std::vector<std::string> paths;
@@ -151,9 +173,9 @@ std::vector<NamedSegment> read_segments(const std::string& path);
 // short", "float", ...).
 Roi parse_roi(std::string_view text);
 Index3 parse_dims(std::string_view text);
-SampleType parse_sample_type(std::string_view text);
+StoredType parse_sample_type(std::string_view text);
 
 // Returns the type of that name, in any format's spelling; nullopt if it is unknown or unsupported.
-std::optional<SampleType> sample_type_named(std::string_view name);
+std::optional<StoredType> sample_type_named(std::string_view name);
 
 }  // namespace deliso

@@ -18,15 +18,18 @@
 namespace deliso {
 namespace {
 
-// Returns the bytes of a value; nullopt if the type has no fixed size.
-std::optional<std::size_t> size_of_type(std::string_view type) {
-  if (const auto known = sample_type_named(type)) return size_of(*known);
-  const std::string word = lower(type);
-  if (word == "vtkidtype") return 4;  // VTK stores it as an int here
-  if (word == "long" || word == "unsigned_long" || word == "vtktypeint64" ||
-      word == "vtktypeuint64")
-    return 8;
-  return std::nullopt;
+// Returns VTK's own names of types as those of other formats.
+std::string plain_type(std::string_view type) {
+  constexpr std::pair<std::string_view, std::string_view> kNames[] = {
+      {"long", "int64"},
+      {"unsigned_long", "uint64"},
+      {"vtktypeint64", "int64"},
+      {"vtktypeuint64", "uint64"},
+  };
+  for (const auto& [name, plain] : kNames) {
+    if (lower(type) == name) return std::string(plain);
+  }
+  return std::string(type);
 }
 
 // Attributes "KEYWORD name type", and their values per point.
@@ -205,14 +208,16 @@ class VtkParser {
   // Notes an array whose data begins on the next line, and skips it.
   void pass(NamedArray array, std::uint64_t tuples, bool of_points) {
     text_.line();
+    array.type = plain_type(array.type);
     if (of_points) {
       arrays_.push_back(array);
       starts_.push_back(text_.position());
     }
     const auto ends = [&] { fail(input_.name(), "ends within its array ", quote(array.name)); };
-    const std::optional<std::size_t> size =
-        array.type == "COLOR_SCALARS in ASCII" ? 1 : size_of_type(array.type);
-    if (!size)
+    std::optional<StoredType> type = sample_type_named(array.type);
+    if (array.type == "COLOR_SCALARS in ASCII") type = SampleType::u8;
+    if (lower(array.type) == "vtkidtype") type = SampleType::i32;  // as VTK stores it here
+    if (!type)
       fail(input_.name(), "array ", quote(array.name), " is of type ", quote(array.type),
            ", which is not supported");
     // A value has a byte at least.
@@ -220,8 +225,8 @@ class VtkParser {
     if (array.components != 0 && tuples > rest / array.components) ends();
     const std::uint64_t values = tuples * array.components;
     if (binary_) {
-      if (values > rest / *size) ends();
-      text_.skip(static_cast<std::size_t>(values * *size));
+      if (values > rest / size_of(*type)) ends();
+      text_.skip(static_cast<std::size_t>(values * size_of(*type)));
       return;
     }
     for (std::uint64_t n = 0; n < values; ++n) {

@@ -10,12 +10,28 @@
 
 #include "io/files/field_reader.h"
 #include "io/files/text_scan.h"
+#include "io/volume/wide_integers.h"
 
 namespace deliso {
 namespace {
 
 bool is_swapped(const SampleGrid& grid) {
   return grid.byte_order != std::endian::native && size_of(grid.type) > 1;
+}
+
+// Returns " (x and y enclose 45 degrees)" of two axes that are not at right angles, if there are
+// any.
+std::optional<std::string> shear_of(const Frame& frame) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = a + 1; b < 3; ++b) {
+      const double cosine = dot(frame.axes[a], frame.axes[b]);
+      if (std::abs(cosine) <= kShearTolerance) continue;
+      const double degrees = std::acos(std::min(1.0, std::abs(cosine))) * (180 / 3.14159265358979);
+      return text(" (", "xyz"[a], " and ", "xyz"[b], " enclose ", std::round(1e4 * degrees) / 1e4,
+                  " degrees)");
+    }
+  }
+  return std::nullopt;
 }
 
 // Splits the steps into spacing and unit axes. What the options give is in place of the file's own,
@@ -41,14 +57,10 @@ std::pair<Vec3, Frame> place(const SampleGrid& grid) {
          grid.is_of_file && !grid.read.origin ? kGiveOrigin : "");
   }
   require_in_range(grid.size(), spacing, frame, grid.name);
-  for (std::size_t a = 0; a < 3; ++a) {
-    for (std::size_t b = a + 1; b < 3; ++b) {
-      const double cosine = dot(frame.axes[a], frame.axes[b]);
-      if (std::abs(cosine) <= kShearTolerance) continue;
-      const double degrees = std::acos(std::min(1.0, std::abs(cosine))) * (180 / 3.14159265358979);
-      fail(grid.name, "sheared grid: its axes ", "xyz"[a], " and ", "xyz"[b], " enclose ",
-           std::to_string(degrees), " degrees; only rectangular grids can be meshed (resample it)");
-    }
+  const auto& [u, v, w] = frame.axes;
+  if (!(std::abs(dot(cross(u, v), w)) >= kLeastDeterminant)) {
+    fail(grid.name, "sheared grid: its axes are too near to one plane",
+         shear_of(frame).value_or(""), ": resample it");
   }
   return {spacing, frame};
 }
@@ -200,6 +212,12 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
   const std::uint64_t expected = data_size(grid);
   if (data.size() != expected) fail(data.name, size_fault(grid, expected, data.size()));
   auto [spacing, frame] = place(grid);
+  if (const auto shear = shear_of(frame); shear && grid.log) {
+    grid.log->notes.push_back(
+        one_line(text(grid.name, ": sheared grid", *shear,
+                      ": its mesh has the right shape, but D, angles and "
+                      "filters are measured as if the axes were at right angles")));
+  }
   const Roi roi = region(grid, spacing);
   if (grid.read.roi) {
     frame.origin =
@@ -217,13 +235,15 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
       data.data.data() +
       size_of(grid.type) * (at.first + at.steps[2] * static_cast<std::size_t>(roi.begin.k));
   const bool aligned = reinterpret_cast<std::uintptr_t>(start) % size_of(grid.type) == 0;
-  if (whole_slices && aligned && !is_swapped(grid))
+  const bool is_wide = grid.type.wide != StoredType::Wide::no;
+  if (whole_slices && aligned && !is_swapped(grid) && !is_wide)
     return placed(Volume(dims, spacing, grid.type, start, data.owner, frame));
 
   Buffer samples = copy_region(grid, roi, data.data);
   if (is_swapped(grid)) swap_bytes(samples.span(), size_of(grid.type));
+  const SampleType type = is_wide ? convert_wide(grid, samples.span()) : grid.type.type;
   const Bytes bytes = bytes_of(std::move(samples), data.name);
-  return placed(Volume(dims, spacing, grid.type, bytes.data.data(), bytes.owner, frame));
+  return placed(Volume(dims, spacing, type, bytes.data.data(), bytes.owner, frame));
 }
 
 Volume volume_from_text(const SampleGrid& grid, const Bytes& data, bool more_may_follow) {
@@ -234,8 +254,16 @@ Volume volume_from_text(const SampleGrid& grid, const Bytes& data, bool more_may
     fail(data.name, "data is too short: ", describe(grid), " do not fit in ", data.size(),
          " characters");
   Buffer buffer(static_cast<std::size_t>(expected));
-  with_type(grid.type,
-            [&]<class T>(T) { parse_samples<T>(grid, data, more_may_follow, buffer.span()); });
+  const auto parse = [&]<class T>(T) {
+    parse_samples<T>(grid, data, more_may_follow, buffer.span());
+  };
+  if (grid.type.wide == StoredType::Wide::i64) {
+    parse(std::int64_t{});
+  } else if (grid.type.wide == StoredType::Wide::u64) {
+    parse(std::uint64_t{});
+  } else {
+    with_type(grid.type, parse);
+  }
   SampleGrid native = grid;
   native.byte_order = std::endian::native;
   return volume_from_raw(native, bytes_of(std::move(buffer), data.name));

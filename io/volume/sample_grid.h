@@ -27,13 +27,16 @@ namespace deliso {
 
 // The largest cosine of two axes that are taken to be at right angles.
 constexpr double kShearTolerance = 1e-4;
+// Axes that are less apart are those of no image: of the volume of their unit vectors.
+constexpr double kLeastDeterminant = 0.1;
 
 struct SampleGrid {
   std::string name;         // of the input, for messages
   ReadOptions read{};       // the region, and the place if it is not the file's
   bool is_of_file = false;  // so messages may name the options
+  ReadLog* log = nullptr;   // of what becomes of integers of 64 bits
   std::array<std::int64_t, 3> dims{0, 0, 0};
-  SampleType type = SampleType::u8;
+  StoredType type = SampleType::u8;
   std::endian byte_order = std::endian::native;
   // World position of sample (0,0,0), and the step between samples along each file axis.
   Vec3 origin{0, 0, 0};

@@ -41,6 +41,30 @@ std::uint64_t size_of_type(std::uint64_t type) {
   return type < std::size(kSizes) ? kSizes[type] : 0;
 }
 
+// Returns the bytes of a row of samples, as they are stored.
+std::uint64_t stored_row(const TiffPage& page, std::uint64_t width) {
+  return is_packed(page) ? (width * page.bits + 7) / 8 : width * page.word();
+}
+
+// Fills `out` with the samples of packed rows, the highest bit of each first.
+void unpack_samples(const TiffPage& page, std::span<const std::byte> packed, std::uint64_t width,
+                    std::span<std::byte> out) {
+  const std::size_t word = page.word(), row = stored_row(page, width);
+  for (std::size_t n = 0; n < out.size() / word; ++n) {
+    const std::size_t first = n % width * page.bits, begin = n / width * row;
+    std::uint16_t sample = 0;
+    for (std::size_t bit = first; bit < first + page.bits; ++bit) {
+      const unsigned byte = std::to_integer<unsigned>(packed[begin + bit / 8]);
+      sample = static_cast<std::uint16_t>(sample << 1U | (byte >> (7 - bit % 8) & 1U));
+    }
+    if (word == 1) {
+      out[n] = static_cast<std::byte>(sample);
+    } else {
+      std::memcpy(&out[2 * n], &sample, 2);
+    }
+  }
+}
+
 // Returns the most bytes that a block can hold.
 std::uint64_t largest_block(const TiffPage& page, std::uint64_t stored) {
   if (page.compression == kPlain) return stored;
@@ -125,7 +149,7 @@ void TiffFile::for_each_block(const TiffPage& page, F f) const {
       Block block{.at = value(page.offsets, n), .x = x, .y = y, .width = width};
       block.height = is_tiled ? height : std::min(height, page.height - y);
       if (page.compression == kPlain) {
-        block.size = block.width * block.height * (page.bits / 8);
+        block.size = stored_row(page, block.width) * block.height;
       } else {
         block.size = value(page.sizes, n);
       }
@@ -198,6 +222,9 @@ void TiffFile::check_encoding(const TiffPage& page, std::string_view page_name) 
   if (page.predictor < 1 || page.predictor > 3 || (page.predictor == 3 && !is_float)) {
     fail(bytes_.name, "predictor ", page.predictor, " is not known for its samples");
   }
+  if (is_packed(page) && page.predictor != 1) {
+    fail(bytes_.name, "predictor ", page.predictor, " is not known for its samples");
+  }
   if (page.fill_order != 1) fail(bytes_.name, "its bits are stored in reverse (FillOrder 2)");
   if (page.rows_per_strip == 0 || (page.tile_width == 0) != (page.tile_height == 0) ||
       page.tile_width > kLargestTiffSize || page.tile_height > kLargestTiffSize) {
@@ -210,16 +237,18 @@ std::optional<std::uint64_t> TiffFile::find_samples() const {
   bool is_whole = true;
   for (const TiffPage& page : pages_) {
     for_each_block(page, [&](const Block& block) {
-      const std::uint64_t samples = block.width * block.height;  // kLargestTiffSize each at most
+      // Each is kLargestTiffSize at most, and a row has eight times as many bytes.
+      const std::uint64_t row = stored_row(page, block.width);
       if (block.at > bytes_.size() || block.size > bytes_.size() - block.at ||
-          samples > largest_block(page, block.size) / (page.bits / 8)) {
+          block.height > largest_block(page, block.size) / std::max<std::uint64_t>(row, 1)) {
         fail_damaged(block.at);
       }
       // Blocks that share their bytes could become any number of samples.
       used += block.size;
       if (used > bytes_.size()) fail(bytes_.name, "its strips or tiles overlap");
       if (end == 0) begin = end = block.at;
-      is_whole = is_whole && block.at == end && page.compression == kPlain && page.tile_width == 0;
+      is_whole = is_whole && block.at == end && page.compression == kPlain &&
+                 page.tile_width == 0 && !is_packed(page);
       end = block.at + block.size;
     });
   }
@@ -227,7 +256,7 @@ std::optional<std::uint64_t> TiffFile::find_samples() const {
   return begin;
 }
 
-// Fills `out` with the samples of a block, in native order.
+// Fills `out` with the samples of a block: packed, or in native order.
 void TiffFile::read_block(const TiffPage& page, const Block& block,
                           std::span<std::byte> out) const {
   const std::span<const std::byte> stored = bytes_.data.subspan(block.at, block.size);
@@ -251,7 +280,8 @@ void TiffFile::read_block(const TiffPage& page, const Block& block,
          " bytes behind byte ", block.at);
   }
   const bool has_predictor = page.compression != kPlain && page.compression != kPackBits;
-  const std::size_t word = page.bits / 8, row_size = block.width * word;
+  if (is_packed(page)) return;
+  const std::size_t word = page.word(), row_size = block.width * word;
   const std::uint64_t predictor = has_predictor ? page.predictor : 1;
   if (predictor != 3 && order_ != std::endian::native) swap_bytes(out, word);
   if (predictor == 1) return;
@@ -263,11 +293,17 @@ void TiffFile::read_block(const TiffPage& page, const Block& block,
 }
 
 void TiffFile::read_page(const TiffPage& page, std::span<std::byte> out) const {
-  const std::size_t word = page.bits / 8;
+  const std::size_t word = page.word();
   for_each_block(page, [&](const Block& block) {
     const std::size_t row_size = block.width * word;
     Buffer samples(row_size * block.height);
-    read_block(page, block, samples.span());
+    if (is_packed(page)) {
+      Buffer packed(stored_row(page, block.width) * block.height);
+      read_block(page, block, packed.span());
+      unpack_samples(page, packed.span(), block.width, samples.span());
+    } else {
+      read_block(page, block, samples.span());
+    }
     const std::size_t width = word * std::min(block.width, page.width - block.x);
     for (std::uint64_t y = 0; y < std::min(block.height, page.height - block.y); ++y) {
       std::memcpy(&out[word * (block.x + page.width * (block.y + y))], &samples.data[y * row_size],

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A TIFF file (6.0, with supplement 2) or BigTIFF: its pages, and their samples in strips or tiles.
-// Packed ones are plain, LZW, Deflate or PackBits, with the predictors of TIFF.
+// They are plain, LZW, Deflate or PackBits, with the predictors of TIFF.
 #pragma once
 
 #include <bit>
@@ -28,7 +28,15 @@ struct TiffPage {
                 samples = 1, rows_per_strip = kLargestTiffSize, resolution_unit = 2, predictor = 1,
                 tile_width = 0, tile_height = 0, sample_format = 1, fill_order = 1, depth = 1;
   TiffField offsets, sizes, description, x_resolution, y_resolution;
+
+  std::uint64_t word() const { return bits <= 8 ? 1 : bits <= 16 ? 2 : bits / 8; }  // bytes
 };
+
+// True if samples have other sizes than words of the machine: then a row is a run of bits, filled
+// up to whole bytes.
+constexpr bool is_packed(const TiffPage& page) {
+  return page.bits > 0 && page.bits < 16 && page.bits != 8;
+}
 
 // Reads the pages, without reduced pictures and masks. It keeps the bytes. Everything throws
 // InputError with their name.

@@ -81,6 +81,6 @@ void refuse_series(const std::string& name, const ReadOptions& options);
 // folder.
 Bytes open_data_file(const VolumeInput& input, std::string_view file_name);
 // Returns the sample type of that name. Throws InputError if there is none.
-SampleType supported_type(const VolumeInput& input, std::string_view name);
+StoredType supported_type(const VolumeInput& input, std::string_view name);
 
 }  // namespace deliso

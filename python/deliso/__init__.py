@@ -60,9 +60,9 @@ def _required(what):
 
 
 _OK, _FAULT, _BAD_INPUT, _CANCELED, _FAILED = range(5)
-_TYPES = {"u1": 0, "i1": 1, "u2": 2, "i2": 3, "u4": 4, "i4": 5, "f4": 6, "f8": 7}
+_TYPES = {"u1": 0, "i1": 1, "u2": 2, "i2": 3, "u4": 4, "i4": 5, "f4": 6, "f8": 7, "i8": 8, "u8": 9}
 # What the library has no type for, and the type that takes its place.
-_CONVERTED = {"b1": "u1", "f2": "f4", "i8": "f8", "u8": "f8"}
+_CONVERTED = {"b1": "u1", "f2": "f4"}
 _PROGRESS = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_double)
 _TAKE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int64, ctypes.c_void_p, ctypes.c_int)
 
@@ -457,7 +457,7 @@ class SharedLabels(Mesh):
     """All labels of a segmentation as one mesh: neighbors have common vertices and triangles.
 
     vertices, triangles  as of a Mesh; it is no manifold where three labels meet
-    labels     int32, (m, 2): the label in front of each triangle, from which its corners run
+    labels     int64, (m, 2): the label in front of each triangle, from which its corners run
                counterclockwise, and the label behind. With cap=True the triangles on the border of
                the volume have in front -1 at the low end of x, -2 at the high end, -3, -4 of y, and
                -5, -6 of z.
@@ -474,7 +474,7 @@ class SharedLabels(Mesh):
     def __init__(self, handle, sound=True):
         super().__init__(handle, sound)
         data = self._data
-        self.labels = self._view(data.sides, data.triangle_count, ctypes.c_int32, 2)
+        self.labels = self._view(data.sides, data.triangle_count, ctypes.c_int64, 2)
         told = self.report.get("labels", [])
         self.topology = {label["label"]: label["topology"] for label in told}
 
@@ -697,7 +697,7 @@ def _from_data(arrays, others, kind=Mesh, labels=None):
     if len(normals) not in (0, len(vertices)):
         raise Error("a mesh has a normal for each vertex, or none")
     if labels is not None:
-        labels = numpy.ascontiguousarray(labels, "i4")
+        labels = numpy.ascontiguousarray(labels, "i8")
         if labels.shape != (len(triangles), 2):
             raise Error("a triangle has two labels")
     data = _MeshData(

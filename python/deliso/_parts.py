@@ -79,8 +79,9 @@ class _Source:
     def __init__(self, array, *place):
         self.array = array() if callable(array) else array
         with _required("an array has shape and dtype"):
-            self.kind = _kind_of(numpy.dtype(self.array.dtype))
+            self.own_kind = _kind_of(numpy.dtype(self.array.dtype))
             shape = [operator.index(n) for n in self.array.shape]
+        self.kind = "f8" if self.own_kind in ("i8", "u8") else self.own_kind
         _require_three(shape)
         if not 0 <= min(shape) <= max(shape) < 1 << 63:
             raise Error(f"an array of shape {tuple(shape)} cannot be meshed")
@@ -100,14 +101,20 @@ class _Source:
             sliced = _unmasked(sliced)
             if sliced.shape != shape:
                 raise Error(f"a slice of the array has shape {sliced.shape}, not {shape}")
-            if _kind_of(sliced.dtype) != self.kind:
+            if _kind_of(sliced.dtype) != self.own_kind:
                 raise Error(
                     f"a slice of the array has samples of type {sliced.dtype}, and the array says "
                     f"{self.array.dtype}"
                 )
             count = math.prod(shape) * numpy.dtype(self.kind).itemsize
             memory = (ctypes.c_char * count).from_address(samples)
-            numpy.frombuffer(memory, self.kind).reshape(shape)[...] = sliced
+            box = numpy.frombuffer(memory, self.kind).reshape(shape)
+            box[...] = sliced
+            if self.kind != self.own_kind:
+                with numpy.errstate(invalid="ignore"):
+                    is_exact = (box.astype(self.own_kind) == sliced).all()
+                if not is_exact:
+                    raise Error("float64 does not hold all of the array's 64-bit integers exactly")
             return 0
         except BaseException as error:
             self.error = error

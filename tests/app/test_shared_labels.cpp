@@ -116,7 +116,8 @@ TEST_CASE("random labels fill space once, between common triangles that never cr
 
     for (std::size_t f = 0; f < all.triangles.size(); ++f) {
       const Vec3& p = all.points[all.triangles[f][0].number()];
-      for (const int side : all.sides[f]) far += side < 0 || labels.is_near(p, side) ? 0 : 1;
+      for (const std::int64_t side : all.sides[f])
+        far += side < 0 || labels.is_near(p, static_cast<int>(side)) ? 0 : 1;
       ++(all.sides[f][0] < 0 ? caps : facets);
     }
 
@@ -276,14 +277,14 @@ TEST_CASE("the report of common surfaces: topology, borders, caps, and a number 
   }
   // The background is in front of 2 and 5, the larger label of the others; four faces are all of
   // one label and background.
-  std::vector<std::array<std::int32_t, 2>> borders;
+  std::vector<std::array<std::int64_t, 2>> borders;
   double area = 0;
   for (const SharedBorder& border : run.borders) {
     borders.push_back(border.sides);
     CHECK(border.triangles > 0);
     area += border.sides[0] < 0 ? border.area : 0;
   }
-  const std::vector<std::array<std::int32_t, 2>> expected{
+  const std::vector<std::array<std::int64_t, 2>> expected{
       {-6, 2}, {-6, 5}, {-4, 2}, {-4, 5}, {-2, 5}, {-1, 2}, {0, 2}, {0, 5}, {3, 2}, {5, 2}};
   CHECK(borders == expected);
   // Caps without the background's: 8 x 6.5, 8 x 5.5, and two of 6.5 x 5.5.

@@ -191,7 +191,7 @@ TEST_CASE("faults are statuses, with one line each") {
   CHECK(create(nullptr, 20, 1, DELISO_FLOAT32) == "samples is null");
   CHECK(create(samples.data(), 1, 1, DELISO_FLOAT32).starts_with("array: 1 samples along z"));
   CHECK(create(samples.data(), 20, 0, DELISO_FLOAT32).starts_with("array: "));
-  CHECK(create(samples.data(), 20, 1, 8) == "no such type of samples");
+  CHECK(create(samples.data(), 20, 1, 10) == "no such type of samples");
   create(samples.data(), std::numeric_limits<std::size_t>::max() / 2, 1, DELISO_FLOAT32);
 
   samples[5] = std::numeric_limits<float>::infinity();
@@ -289,7 +289,7 @@ TEST_CASE("labels as one mesh: the bytes of the program, two labels for each tri
     CHECK(test::file_bytes(ours) == test::file_bytes(folder.path("theirs.ply")));
     std::size_t triangles = 0, sides = 0, of_labels = 0;
     deliso_mesh_triangles(mesh, &triangles);
-    const std::int32_t* side = deliso_mesh_sides(mesh, &sides);
+    const std::int64_t* side = deliso_mesh_sides(mesh, &sides);
     CHECK(sides == triangles);
     for (const std::int64_t label : {4, 9, 5}) {
       MeshHandle one;

@@ -68,6 +68,7 @@ inline void run_reader(const std::uint8_t* bytes, std::size_t size, const char* 
     if (part) {
       options.roi = Roi{{0, 0, 0}, {2, 2, 2}};
       options.channel = options.time = 1;
+      options.as_labels = true;
     }
     ReadLog log;
     try {

@@ -53,7 +53,7 @@ set sizes: | the header has no field 'sizes'
 set encoding: | the header has no field 'encoding'
 set dimension: | the header has no field 'dimension'
 set type: short | the header has no field 'endian'
-set type: int64 | sample type 'int64' is not supported (integers of up to 32 bits, float32, float64 are)
+set type: int64 | the header has no field 'endian'
 set type: block | sample type 'block' is not supported...
 set encoding: bzip2 | field 'encoding' is 'bzip2': only raw, gzip and ascii are supported
 set encoding: hex | field 'encoding' is 'hex': only raw, gzip and ascii are supported
@@ -73,9 +73,9 @@ set space directions: (1,0,0) (0,1,0) | field 'spacedirections' is '(1,0,0) (0,1
 set space directions: (1,0,0) (0,1,0) none | field 'spacedirections' is '(1,0,0) (0,1,0) none': an axis is not spatial
 set space directions: (1,0,0) (0,1,0) (0,0) | ...not 3 vectors...
 set space directions: (1,0,0) (0,1,0) (0,0,0) | spacing along z is not positive: --spacing SX,SY,SZ gives it
-set space directions: (1,0,0) (1,1,0) (0,0,1) | sheared grid: its axes x and y enclose 45.000000 degrees; only rectangular grids can be meshed (resample it)
+set space directions: (1,0,0) (1,1,0) (0,0,1) | ok
+set space directions: (1,0,0) (1,0.09,0) (0,0,1) | sheared grid: its axes are too near to one plane (x and y enclose 5.1428 degrees): resample it
 set space directions: (1,0,0) (0,1,0) (0,0.00009,1) | ok
-set space directions: (1,0,0) (0,1,0) (0,0.00011,1) | ...y and z...
 set data file: none.raw | its data file none.raw: cannot open: No such file or directory
 set data file: slice%03d.raw 1 10 1 | ...several files is not supported...
 set data file: LIST\na.raw\nb.raw | field 'datafile' is 'LIST': data spread over several files is not supported
@@ -98,7 +98,7 @@ x -> 1 2 x3 4 5 6 7 8 | sample 2 is 'x3', not a number of type uint8
 first 9999 | ok
 NDims = 3\n ->  | the header has no key 'NDims'
 DimSize = 2 3 4\n ->  | the header has no key 'DimSize'
-MET_SHORT -> MET_LONG_LONG | sample type 'MET_LONG_LONG' is not supported...
+MET_SHORT -> MET_LONG_LONG | data is too short: 2 x 3 x 4 int64 samples need 192 bytes, found 48
 NDims = 3 -> NDims = 2 | key 'DimSize' is '2 3 4': not 2 integers as NDims says
 NDims = 3 -> NDims = 4 && DimSize = 2 3 4 -> DimSize = 2 3 2 2 | has 2 times: --time N chooses one, counted from 1
 DimSize = 2 3 4 -> DimSize = 2 3 5 | data is too short: 2 x 3 x 5 int16 samples need 60 bytes, found 48
@@ -106,7 +106,7 @@ NDims = 3 -> ElementNumberOfChannels = 3\nNDims = 3 | has 3 channels: --channel 
 NDims = 3 -> NDims = 5 && DimSize = 2 3 4 -> DimSize = 2 3 2 2 2 | ...only three-dimensional volumes, at one time or several, can be meshed
 ElementSpacing = 1 1 1 -> ElementSpacing = 1 0 1 | spacing along y is not positive: --spacing SX,SY,SZ gives it
 ElementSpacing = 1 1 1 -> ElementSpacing = 1 1 | key 'ElementSpacing' is '1 1': not 3 numbers
-1 0 0 0 1 0 0 0 1 -> 1 0 0 0.5 1 0 0 0 1 | ...sheared grid: its axes x and y...
+1 0 0 0 1 0 0 0 1 -> 1 0 0 99 1 0 0 0 1 | ...sheared grid: its axes are too near...
 CompressedData = False -> CompressedData = True | compressed data is damaged: no zlib header after 0 of 48 bytes
 LOCAL -> LIST | ...several files is not supported...
 LOCAL -> gone.raw | its data file gone.raw: cannot open: No such file or directory
@@ -114,7 +114,7 @@ NDims = 3 -> HeaderSize = 9999\nNDims = 3 | has 48 bytes, fewer than the 9999 of
 = ObjectType = Image\nnonsense\n | header line 'nonsense' is no 'Key = Value'
 [nii]
 at 0: u4 348 | ok
-at 70: u2 1024 | NIfTI datatype 1024 is not supported (integers of up to 32 bits, float32, float64 are)
+at 70: u2 1536 | NIfTI datatype 1536 is not supported (integers of 8 to 64 bits, float32, float64 are)
 at 40: u2 2 | has 2 dimensions: only three-dimensional volumes can be meshed
 at 40: u2 65535 | has -1 dimensions: only three-dimensional volumes can be meshed
 at 48: u2 5 | has 5 times: --time N chooses one, counted from 1
@@ -126,7 +126,7 @@ at 108: f4 100 | vox_offset 100.000000 is not valid
 at 108: f4 nan | vox_offset...
 at 108: f4 1e6 | has 416 bytes, its samples begin at 1000000
 at 280: f4 0 | spacing along x is not positive: --spacing SX,SY,SZ gives it
-at 284: f4 1 | ...sheared grid...
+at 284: f4 99 | ...sheared grid...
 at 292: f4 nan | its origin is further than 1e+30 away: --origin X,Y,Z gives it
 [hdr]
 first 348 | ...its data file...
@@ -148,8 +148,8 @@ first 100 | ends before the samples
 [vti raw]
 first 9999 | ok
 "ImageData" -> "PolyData" | is a VTK file of type 'PolyData': only ImageData can be meshed
-"Int16" -> "Int64" | sample type 'Int64' is not supported...
-"values" -> "other" | array 'other' has 3 components per point: only scalar volumes can be meshed
+"Int16" -> "Int128" | sample type 'Int128' is not supported...
+"values" -> "other" | ok
 Extent="2 3 -1 1 0 3" -> Extent="2 3 -1 1" | WholeExtent is '2 3 -1 1', not six integers
 </Piece> -> </Piece><Piece Extent="2 3 -1 1 4 6"> | has several pieces: convert it with python3 -c "import vtk; r = vtk.vtkXMLGenericDataObjectReader(); r.SetFileName('FILE'); f = r; w = vtk.vtkXMLImageDataWriter(); w.SetInputConnection(f.GetOutputPort()); w.SetFileName('volume.vti'); w.Write...
 PointData -> CellData && PointData -> CellData | has data of cells, not of points: convert it with python3 -c "import vtk; r = vtk.vtkXMLGenericDataObjectReader(); r.SetFileName('FILE'); f = vtk.vtkCellDataToPointData(); f.Set...
@@ -163,7 +163,7 @@ offset="4" -> offset="5" | ...2 x 3 x 4 int16 samples need 48 bytes, the array h
 encoding="raw" -> encoding="hex" | encoding 'hex' is not supported
 format="appended" -> format="none" | a DataArray has format 'none': only ascii, binary and appended are supported
 PointData -> Points | has no array of point data
-Direction="1 0 0 -> Direction="1 0 0.3 | ...sheared grid...
+Direction="1 0 0 -> Direction="1 0 30 | ...sheared grid...
 [vti binary]
 MAAA -> MQAA | 2 x 3 x 4 int16 samples need 48 bytes, the array holds 49
 [vti blocks]

@@ -104,6 +104,22 @@ class TestMesh(TestCase):
         a, b = deliso.mesh(halves, 10.25), deliso.mesh(halves.astype("f4"), 10.25)
         self.assertTrue(numpy.array_equal(a.vertices, b.vertices))
 
+    def test_ids_of_64_bits(self):
+        small = (field() > 10).astype("i8") + (field() > 25)
+        ids = numpy.array([0, 720575940621039145, 720575940621039146])
+        for kind in ["i8", "u8"]:
+            array = ids.astype(kind)[small]
+            meshes = deliso.mesh(array, label="all")
+            self.assertEqual(list(meshes), ids[1:].tolist())
+            one, plain = deliso.mesh(array, label=int(ids[2])), deliso.mesh(small, label=2)
+            self.assertTrue(numpy.array_equal(one.vertices, plain.vertices))
+            shared = deliso.mesh(array, label="all", shared=True)
+            self.assertTrue(numpy.isin(shared.labels, ids).all())
+            self.assertGreater(len(shared.mesh(ids[2]).triangles), 0)
+            for make in (deliso.mesh, deliso.mesh_blocks):
+                with self.assertRaisesRegex(deliso.Error, "float64 does not hold all of"):
+                    make(array, 1)
+
     def test_same_bytes_of_every_layout(self):
         a = field()
         layouts = {

@@ -104,8 +104,28 @@ TEST_CASE("all labels are found, with their voxels and boxes, in all types") {
   hold_against_brute_force<double>(n, std::int64_t{1} << 52, 4);
 }
 
+TEST_CASE("samples that number ids have their labels") {
+  Random random(4);
+  std::vector<std::uint32_t> samples(60);
+  for (std::uint32_t& s : samples) s = random.below(3);
+  const Volume volume = Volume::from_samples({3, 4, 5}, {1, 1, 1}, samples);
+  const std::vector<std::int64_t> ids{-5, 720575940621039145, 720575940621039146};
+  const auto plain = find_labels(volume, "v", 2), named = find_labels({volume, ids}, "v", 2);
+  REQUIRE(named.size() == 3);
+  const SampleExtent box{{0, 0, 0}, {2, 3, 4}};
+  for (std::size_t n = 0; n < 3; ++n) {
+    CHECK(named[n].label == ids[n]);
+    CHECK(named[n].samples == plain[n].samples);
+    const std::vector<std::int64_t> of_ids{ids[n], ids[0]}, of_numbers{plain[n].label, 0};
+    const Volume a = label_indicator({volume, ids}, of_ids, box);
+    const Volume b = label_indicator(volume, of_numbers, box);
+    for_each_index({3, 4, 5},
+                   [&](int i, int j, int k) { CHECK(a.sample(i, j, k) == b.sample(i, j, k)); });
+  }
+}
+
 TEST_CASE("labels that are no whole numbers are refused, with their place") {
-  for (const double bad : {1.5, 0x1p60, -1e300, std::numeric_limits<double>::quiet_NaN(),
+  for (const double bad : {1.5, 0x1p63, -1e300, std::numeric_limits<double>::quiet_NaN(),
                            std::numeric_limits<double>::infinity()}) {
     std::vector<double> samples(4 * 4 * 24, 2);
     samples[static_cast<std::size_t>(1 + 4 * (2 + 4 * 9))] = bad;

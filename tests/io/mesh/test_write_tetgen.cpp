@@ -16,7 +16,7 @@ using namespace deliso::test;
 
 namespace {
 
-using Sides = std::vector<std::array<std::int32_t, 2>>;
+using Sides = std::vector<std::array<std::int64_t, 2>>;
 
 struct Labeled {
   std::vector<Vec3> points;
@@ -24,12 +24,12 @@ struct Labeled {
   Sides sides;
   std::size_t first_cap = ~std::size_t{0};
 
-  void add(const Triangles& more, std::array<std::int32_t, 2> labels) {
+  void add(const Triangles& more, std::array<std::int64_t, 2> labels) {
     triangles.insert(triangles.end(), more.begin(), more.end());
     sides.resize(triangles.size(), labels);
   }
   // Adds an octahedron.
-  void add_ball(const Vec3& center, double radius, std::array<std::int32_t, 2> labels) {
+  void add_ball(const Vec3& center, double radius, std::array<std::int64_t, 2> labels) {
     const auto first = static_cast<std::uint32_t>(points.size());
     for (int n = 0; n < 6; ++n) {
       Vec3 p = center;
@@ -46,7 +46,7 @@ struct Labeled {
   RegionPoints regions() const { return region_points({points, triangles, sides, first_cap}); }
 
   // Returns how often the surface of the label winds around p: 1 in the label, 0 elsewhere.
-  double winding(std::int32_t label, const Vec3& p) const {
+  double winding(std::int64_t label, const Vec3& p) const {
     Triangles surface;
     for (std::size_t f = 0; f < triangles.size(); ++f) {
       const auto& [a, b, c] = triangles[f];
@@ -122,7 +122,7 @@ TEST_CASE("each cell of a block has a region point inside, with its label") {
     CHECK(found.open.empty());
     REQUIRE(found.points.size() == static_cast<std::size_t>(n * n * n));
     for (std::size_t at = 0; at < found.points.size(); ++at) {
-      CHECK(found.points[at].label == static_cast<std::int32_t>(at + 1));
+      CHECK(found.points[at].label == static_cast<std::int64_t>(at + 1));
       CHECK(mesh.winding(found.points[at].label, found.points[at].p) == doctest::Approx(1));
     }
   }
@@ -148,7 +148,7 @@ TEST_CASE("regions in regions: one point each, none in the background outside") 
   mesh.add_ball({30, 0, 0}, 2, {0, -4});  // another one beside
   const RegionPoints found = mesh.regions();
   CHECK(found.open.empty());
-  std::map<std::int32_t, int> count;
+  std::map<std::int64_t, int> count;
   for (const auto& [p, label] : found.points) {
     ++count[label];
     if (label == 0) {
@@ -158,7 +158,7 @@ TEST_CASE("regions in regions: one point each, none in the background outside") 
       CHECK(mesh.winding(label, p) == doctest::Approx(1));
     }
   }
-  CHECK(count == std::map<std::int32_t, int>{{-4, 1}, {0, 1}, {3, 1}, {5, 2}});
+  CHECK(count == std::map<std::int64_t, int>{{-4, 1}, {0, 1}, {3, 1}, {5, 2}});
 }
 
 TEST_CASE("TetGen's files: a table of markers, a marker for each pair, and regions") {
@@ -185,7 +185,7 @@ TEST_CASE("TetGen's files: a table of markers, a marker for each pair, and regio
       while ((in >> std::ws).peek() == '#') {
         char hash = 0;
         std::size_t marker = 0;
-        std::array<std::int32_t, 2> pair{};
+        std::array<std::int64_t, 2> pair{};
         in >> hash >> marker >> pair[0] >> pair[1];
         pairs.push_back(pair);
         CHECK(marker == pairs.size());
@@ -193,8 +193,8 @@ TEST_CASE("TetGen's files: a table of markers, a marker for each pair, and regio
       // 12 squares between two cells; on each face of the box four of one cell.
       CHECK(pairs.size() == 12 + 24);
       CHECK(std::set(pairs.begin(), pairs.end()).size() == pairs.size());
-      CHECK(pairs.front() == std::array{2, 1});
-      CHECK(pairs[12] == std::array{-6, 5});
+      CHECK(pairs.front() == std::array<std::int64_t, 2>{2, 1});
+      CHECK(pairs[12] == std::array<std::int64_t, 2>{-6, 5});
 
       std::size_t count = 0, number = 0;
       std::string rest;

@@ -557,7 +557,9 @@ TEST_CASE("slices of a tilted gantry are resampled upright") {
     });
     const double sides[] = {4 + 4 * std::abs(shifts[0]), 3 + 4 * std::abs(shifts[1])};
     if (sides[0] * sides[1] > 4 * 12) {
-      CHECK(read_message(series).starts_with("series: sheared grid: its axes "));
+      ReadLog log;
+      read_volume(series, {}, &log);  // as it is: a grid around all would be mostly empty
+      CHECK(log.notes.back().find(": sheared grid (") != std::string::npos);
       continue;
     }
     ReadLog log;

@@ -28,6 +28,69 @@ std::string unpacked(Unpack unpack, const std::string& packed, std::size_t room)
 
 }  // namespace
 
+TEST_CASE("samples of other sizes than bytes are unpacked") {
+  const TemporaryFolder folder;
+  Random random(5);
+  for (const int bits : {1, 2, 4, 7, 10, 12, 15}) {
+    for (const TiffForm& form :
+         {TiffForm{}, TiffForm{.order = std::endian::big, .compression = 5}, TiffForm{.tile = 4}}) {
+      CAPTURE(bits);
+      const Truth truth = tiff_truth();  // of three pages of 5 x 4
+      std::vector<TiffPage> pages = tiff_pages(truth, form);
+      std::vector<unsigned> samples(60);
+      for (unsigned& sample : samples) sample = random.below(1u << bits);
+      const int width = form.tile > 0 ? form.tile : 5;
+      for (int k = 0; k < 3; ++k) {
+        TiffPage& page = pages[static_cast<std::size_t>(k)];
+        page.tags[258] = tiff_value(form, static_cast<std::uint64_t>(bits), 3);
+        const int height = form.tile > 0 ? form.tile : form.rows_per_strip;
+        std::size_t block = 0;
+        for (int y0 = 0; y0 < 4; y0 += height) {
+          for (int x0 = 0; x0 < 5; x0 += width) {
+            std::string packed;
+            for (int y = y0; y < y0 + height && (form.tile > 0 || y < 4); ++y) {
+              std::string row(static_cast<std::size_t>((width * bits + 7) / 8), '\0');
+              for (int x = x0; x < std::min(x0 + width, 5); ++x) {
+                const unsigned sample = samples[static_cast<std::size_t>(x + 5 * (y + 4 * k))];
+                for (int bit = 0; bit < bits; ++bit) {
+                  const auto at = static_cast<std::size_t>((x - x0) * bits + bit);
+                  row[at / 8] = static_cast<char>(row[at / 8] | (sample >> (bits - 1 - bit) & 1U)
+                                                                    << (7 - at % 8));
+                }
+              }
+              packed += row;
+            }
+            page.blocks[block++] = form.compression == 5 ? lzw(packed) : packed;
+          }
+        }
+      }
+      const Volume volume = read_volume(folder.write("v.tif", tiff_file(form, pages)));
+      CHECK(volume.type() == (bits <= 8 ? SampleType::u8 : SampleType::u16));
+      std::size_t wrong = 0;
+      for (std::size_t n = 0; n < samples.size(); ++n) {
+        const int at = static_cast<int>(n);
+        wrong += volume.sample(at % 5, at / 5 % 4, at / 20) != samples[n];
+      }
+      CHECK(wrong == 0);
+    }
+  }
+}
+
+TEST_CASE("slices that ImageJ calls channels are slices") {
+  const TemporaryFolder folder;
+  const Truth truth = tiff_truth();
+  for (const std::string word : {"channels", "frames"}) {
+    std::vector<TiffPage> pages = tiff_pages(truth);
+    pages[0].tags[270] = tiff_text("ImageJ=1.11a\nimages=3\n" + word + "=3\nhyperstack=true\n");
+    ReadLog log;
+    const Volume volume = read_volume(folder.write("v.tif", tiff_file({}, pages)), {}, &log);
+    CHECK(bytes_of_samples(volume) == truth.bytes);
+    REQUIRE(log.notes.size() == 1);
+    CHECK(log.notes[0].ends_with((word == "frames" ? "3 times" : "3 channels") +
+                                 std::string(" of one slice are taken as slices")));
+  }
+}
+
 TEST_CASE("LZW and PackBits give back what was packed, and nothing beyond") {
   std::string all;
   Random random(3);
@@ -302,7 +365,8 @@ TEST_CASE("each fault of a TIFF file has its message") {
   CHECK(with(262, 2, {}, 0) == "is in color (RGB): only grayscale can be meshed");
   CHECK(with(262, 3, {}, 0) == "is in color (a palette): only grayscale can be meshed");
   CHECK(with(277, 2, {}, 0) == "has 2 samples per pixel: only grayscale can be meshed");
-  CHECK(with(258, 1, {}, 0).starts_with("its samples are unsigned integers of 1 bits"));
+  CHECK(with(258, 24, {}, 0).starts_with("its samples are unsigned integers of 24 bits"));
+  CHECK(with(317, 2, {.compression = 8}, 0) == "");
   CHECK(with(339, 6, {}, 0).starts_with("its samples are complex numbers of 8 bits"));
   CHECK(with(256, 4294967295, {}, 0) == "2147483648 samples along x are too many");
   CHECK(with(256, 1, {}, 0) == "1 samples along x: a volume needs two or more along each axis");

@@ -88,6 +88,95 @@ TEST_CASE("every format, encoding, type and byte order reads back what was writt
   CHECK(volumes > 3000);
 }
 
+// Random integers of 64 bits up to 2^`bits`, and some that are near it.
+Truth wide_truth(int bits, std::uint64_t seed) {
+  Truth truth = random_truth(SampleType::f64, {5, 4, 3}, seed);
+  truth.is_wide = true;
+  Random random(seed);
+  for (std::size_t n = 0; n < truth.count(); ++n) {
+    std::int64_t value = (std::int64_t{1} << bits) - static_cast<std::int64_t>(random.below(2));
+    if (n % 3 == 0) value = static_cast<std::int64_t>(random.next() >> (64 - bits));
+    if (n % 2 == 0) value = -value;
+    std::memcpy(&truth.bytes[8 * n], &value, sizeof value);
+  }
+  return truth;
+}
+
+TEST_CASE("integers of 64 bits become float64, or numbers of ids, in every format") {
+  const TemporaryFolder folder;
+  int volumes = 0;
+  for (const int bits : {31, 53, 54, 62}) {
+    const Truth truth = wide_truth(bits, static_cast<std::uint64_t>(bits));
+    std::vector<std::int64_t> values(truth.count());
+    std::memcpy(values.data(), truth.bytes.data(), truth.bytes.size());
+    const auto [least, most] = std::ranges::minmax(values);
+    for (StoredVolume stored : all_forms(truth)) {
+      CAPTURE(bits);
+      CAPTURE(stored.label);
+      CAPTURE(stored.files.front().name);
+      const std::string path = stored.write(folder);
+      const bool is_exact = bits <= 53;
+      if (!is_exact) {
+        const std::string error = read_message(path, stored.options);
+        CHECK(error.find(text("its integers of 64 bits are from ", least, " to ", most)) !=
+              std::string::npos);
+      }
+      ReadLog log;
+      stored.options.as_labels = true;
+      const Volume volume = read_volume(path, stored.options, &log);
+      CHECK(volume.type() == (is_exact ? SampleType::f64 : SampleType::u32));
+      CHECK(log.ids.empty() == is_exact);
+      CHECK(std::ranges::is_sorted(log.ids));
+      CHECK(log.notes.back().find(": 64-bit integers are read as ") != std::string::npos);
+      std::size_t wrong = 0;
+      for (std::size_t n = 0; n < values.size(); ++n) {
+        volume.visit([&](const auto* samples) {
+          wrong += is_exact ? static_cast<std::int64_t>(samples[n]) != values[n]
+                            : log.ids.at(static_cast<std::size_t>(samples[n])) != values[n];
+        });
+      }
+      CHECK(wrong == 0);
+      ++volumes;
+    }
+  }
+  CHECK(volumes > 400);
+}
+
+TEST_CASE("unsigned integers of 64 bits have labels up to 2^63 - 1") {
+  const TemporaryFolder folder;
+  const auto read = [&](std::uint64_t largest, bool as_labels, ReadLog& log) {
+    std::string samples;
+    for (int n = 0; n < 8; ++n) samples += little(n == 5 ? largest : 3, 8);
+    ReadOptions options;
+    options.as_labels = as_labels;
+    return read_volume(folder.write("v.npy", npy("<u8", false, "2, 2, 2", samples)), options, &log)
+        .sample(1, 0, 1);
+  };
+  ReadLog log;
+  CHECK(read(std::uint64_t{1} << 63, false, log) == 0x1p63);
+  CHECK(log.ids.empty());
+  constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
+  CHECK(read(most, true, log) == 1);
+  CHECK(log.ids == std::vector<std::int64_t>{3, std::numeric_limits<std::int64_t>::max()});
+  CHECK_THROWS_AS(read(most, false, log), InputError);
+  CHECK_THROWS_AS(read(most + 2, true, log), InputError);
+  CHECK_THROWS_AS(read(~std::uint64_t{0}, true, log), InputError);
+}
+
+TEST_CASE("a sheared grid is read, with a note") {
+  const TemporaryFolder folder;
+  Truth truth = random_truth(SampleType::u8, {3, 4, 5}, 1);
+  truth.axes[1] = Vec3{0.6, 0.8, 0};
+  ReadLog log;
+  const Volume volume = read_volume(
+      folder.write("v.nrrd",
+                   nrrd(truth, std::endian::little, "raw", NrrdForm::attached)[0].content),
+      {}, &log);
+  check_same(volume, truth, true, 1e-12);
+  REQUIRE(log.notes.size() == 1);
+  CHECK(log.notes[0].find("sheared grid (x and y enclose 53.1301 degrees)") != std::string::npos);
+}
+
 TEST_CASE("the anatomical space of a file is kept") {
   const TemporaryFolder folder;
   const Truth truth = random_truth(SampleType::u8, {3, 4, 5}, 1);
@@ -512,6 +601,6 @@ TEST_CASE("command-line spellings are parsed") {
     CHECK_THROWS_AS(parse_roi(text), InputError);
   for (const char* text : {"", "256", "256x256", "1x2x3x4", "ax2x3", "-1x2x3", "1x2x99999999999"})
     CHECK_THROWS_AS(parse_dims(text), InputError);
-  for (const char* text : {"", "int64", "uint128", "complex", "uint8 x"})
+  for (const char* text : {"", "int128", "uint128", "complex", "uint8 x"})
     CHECK_THROWS_AS(parse_sample_type(text), InputError);
 }

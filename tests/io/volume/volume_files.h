@@ -42,13 +42,16 @@ struct Truth {
   Vec3 spacing{1, 1, 1};
   Vec3 origin{0, 0, 0};
   std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
-  std::string bytes{};  // native order
+  std::string bytes{};   // native order
+  bool is_wide = false;  // the words of type float64 are integers of 64 bits, signed
   std::uint64_t seed = 0;
   // Of NRRD, MetaImage and NIfTI: `bytes` has them all, in the order of the format.
   int channels = 1, times = 1;
   bool is_alone() const { return channels == 1 && times == 1; }
 
   std::size_t count() const { return bytes.size() / size_of(type); }
+  std::size_t type_index() const { return is_wide ? 8 : static_cast<std::size_t>(type); }
+  bool is_real() const { return !is_wide && (type == SampleType::f32 || type == SampleType::f64); }
   Vec3 step(std::size_t axis) const { return spacing[static_cast<int>(axis)] * axes[axis]; }
   std::string in_order(std::endian order) const {
     std::string result = bytes;
@@ -107,12 +110,13 @@ inline std::string join(const Index3& n) {
 }
 inline std::string ascii_samples(const Truth& truth) {
   std::string text;
-  visit_type(truth.type, [&]<class T>(T value) {
+  const auto append = [&]<class T>(T value) {
     for (std::size_t n = 0; n < truth.count(); ++n) {
       std::memcpy(&value, &truth.bytes[n * sizeof(T)], sizeof(T));
       text += to_text(value) + (n % 7 == 6 ? "\n" : " ");
     }
-  });
+  };
+  truth.is_wide ? append(std::int64_t{}) : visit_type(truth.type, append);
   return text;
 }
 // ---- NRRD
@@ -121,10 +125,10 @@ enum class NrrdForm { attached, detached, detached_skips, detached_at_end };
 
 inline std::vector<NamedFile> nrrd(const Truth& t, std::endian order, const std::string& encoding,
                                    NrrdForm form) {
-  const char* const types[] = {"uchar", "int8",       "unsigned short", "int16_t",
-                               "uint",  "signed int", "float",          "double"};
+  const char* const types[] = {"uchar",      "int8",  "unsigned short", "int16_t",      "uint",
+                               "signed int", "float", "double",         "long long int"};
   std::string header = "NRRD0005\n# a comment: with colon\ntype: ";
-  header += types[static_cast<int>(t.type)];
+  header += types[t.type_index()];
   const bool alone = t.is_alone();
   const std::string sizes =
       alone ? join(t.dims) : to_text(t.channels) + " " + join(t.dims) + " " + to_text(t.times);
@@ -160,8 +164,8 @@ enum class MetaForm { local, detached, detached_header, detached_at_end };
 
 inline std::vector<NamedFile> metaimage(const Truth& t, std::endian order,
                                         const std::string& encoding, MetaForm form) {
-  const char* const types[] = {"MET_UCHAR", "MET_CHAR", "MET_USHORT", "MET_SHORT",
-                               "MET_UINT",  "MET_INT",  "MET_FLOAT",  "MET_DOUBLE"};
+  const char* const types[] = {"MET_UCHAR", "MET_CHAR",  "MET_USHORT", "MET_SHORT",    "MET_UINT",
+                               "MET_INT",   "MET_FLOAT", "MET_DOUBLE", "MET_LONG_LONG"};
   const bool has_times = t.times > 1;
   const std::string zero = has_times ? " 0" : "", one = has_times ? " 1" : "";
   std::string header =
@@ -186,8 +190,7 @@ inline std::vector<NamedFile> metaimage(const Truth& t, std::endian order,
     header += "HeaderSize = -1\n";
     front = "any number of bytes";
   }
-  header +=
-      std::string("ElementType = ") + types[static_cast<int>(t.type)] + "\nElementDataFile = ";
+  header += std::string("ElementType = ") + types[t.type_index()] + "\nElementDataFile = ";
   std::string data = encoding == "ascii" ? ascii_samples(t) : t.in_order(order);
   if (encoding == "zlib") data = zlibbed(data, t.seed);
   if (form == MetaForm::local) return {{"v.mha", header + "LOCAL\n" + data}};
@@ -216,13 +219,13 @@ inline std::string nifti_header(const Truth& t, const NiftiForm& form) {
     put(at, std::bit_cast<std::uint32_t>(static_cast<float>(value)), 4);
   };
   const std::size_t real = two ? 8 : 4;
-  constexpr int codes[] = {2, 256, 512, 4, 768, 8, 16, 64};
+  constexpr int codes[] = {2, 256, 512, 4, 768, 8, 16, 64, 1024};
   put(0, h.size(), 4);
   const std::int64_t dim[] = {t.is_alone() ? 4 : 5, t.dims.i, t.dims.j, t.dims.k, t.times,
                               t.channels,           1,        1};
   for (std::size_t n = 0; n < 8; ++n)
     put(two ? 16 + 8 * n : 40 + 2 * n, static_cast<std::uint64_t>(dim[n]), two ? 8 : 2);
-  put(two ? 12 : 70, static_cast<std::uint64_t>(codes[static_cast<int>(t.type)]), 2);
+  put(two ? 12 : 70, static_cast<std::uint64_t>(codes[t.type_index()]), 2);
   put(two ? 14 : 72, 8 * size_of(t.type), 2);
   const bool left = dot(cross(t.axes[0], t.axes[1]), t.axes[2]) < 0;
   put_real(two ? 104 : 76, left ? -1 : 1);
@@ -282,9 +285,10 @@ inline std::vector<NamedFile> nifti(const Truth& t, const NiftiForm& form) {
 // ---- VTK legacy (no axes)
 
 inline std::vector<NamedFile> vtk(const Truth& t, bool binary, bool field) {
-  const char* const types[] = {"unsigned_char", "char", "unsigned_short", "short",
-                               "unsigned_int",  "int",  "float",          "double"};
-  const std::string type = types[static_cast<int>(t.type)];
+  const char* const types[] = {"unsigned_char", "char",         "unsigned_short",
+                               "short",         "unsigned_int", "int",
+                               "float",         "double",       "vtktypeint64"};
+  const std::string type = types[t.type_index()];
   std::string file = "# vtk DataFile Version 3.0\nany title\n";
   file += binary ? "BINARY\n" : "ASCII\n";
   file += "DATASET STRUCTURED_POINTS\nDIMENSIONS " + join(t.dims) + "\nSPACING " + join(t.spacing) +
@@ -334,8 +338,8 @@ inline std::string vtk_of_many(bool binary, const std::string& end = "") {
 // ---- VTK XML
 
 inline std::vector<NamedFile> vti(const Truth& t, const VtkForm& form) {
-  const char* const types[] = {"UInt8",  "Int8",  "UInt16",  "Int16",
-                               "UInt32", "Int32", "Float32", "Float64"};
+  const char* const types[] = {"UInt8", "Int8",    "UInt16",  "Int16", "UInt32",
+                               "Int32", "Float32", "Float64", "Int64"};
   const std::string block = vtk_array(t.in_order(form.order), form, t.seed);
   // The extent starts at (2,-1,0), so the file's origin lies before the first sample.
   const Vec3 origin = t.origin - 2 * t.step(0) + t.step(1);
@@ -355,8 +359,7 @@ inline std::vector<NamedFile> vti(const Truth& t, const VtkForm& form) {
           "\">\n<Piece Extent=\"" + extent +
           "\">\n<PointData Scalars=\"values\">\n<DataArray type=\"Float32\" Name=\"other\" "
           "NumberOfComponents=\"3\" format=\"ascii\">1 2 3</DataArray>\n<DataArray type=\"" +
-          std::string(types[static_cast<int>(t.type)]) + "\" Name='values' format=\"" +
-          form.format + "\"";
+          std::string(types[t.type_index()]) + "\" Name='values' format=\"" + form.format + "\"";
   if (form.format == "appended") file += " offset=\"4\"/>\n";
   if (form.format == "binary") file += ">\n   " + block + "\n</DataArray>\n";
   if (form.format == "ascii") file += ">\n" + ascii_samples(t) + "\n</DataArray>\n";
@@ -385,9 +388,9 @@ inline std::string npy(const std::string& descr, bool fortran, const std::string
 }
 
 inline std::string npy(const Truth& t, std::endian order, int version) {
-  const char* const kinds[] = {"u1", "i1", "u2", "i2", "u4", "i4", "f4", "f8"};
+  const char* const kinds[] = {"u1", "i1", "u2", "i2", "u4", "i4", "f4", "f8", "i8"};
   const char mark = size_of(t.type) == 1 ? '|' : order == std::endian::big ? '>' : '<';
-  const std::string descr = mark + std::string(kinds[static_cast<int>(t.type)]);
+  const std::string descr = mark + std::string(kinds[t.type_index()]);
   const std::string shape = to_text(t.dims.k) + ", " + to_text(t.dims.j) + ", " + to_text(t.dims.i);
   return npy(descr, false, shape, t.in_order(order), version);
 }
@@ -702,16 +705,15 @@ inline TiffPage tiff_page(const Truth& t, const TiffForm& form, int k) {
     page.tags[id] = tiff_value(form, value, type);
   };
   const std::size_t size = size_of(t.type);
-  const bool is_real = t.type == SampleType::f32 || t.type == SampleType::f64;
-  const bool is_signed =
-      t.type == SampleType::i8 || t.type == SampleType::i16 || t.type == SampleType::i32;
+  const bool is_signed = t.is_wide || t.type == SampleType::i8 || t.type == SampleType::i16 ||
+                         t.type == SampleType::i32;
   tag(256, static_cast<std::size_t>(t.dims.i));
   tag(257, static_cast<std::size_t>(t.dims.j));
   tag(258, 8 * size, 3);
   tag(259, static_cast<std::size_t>(form.compression), 3);
   tag(262, 1, 3);
   if (form.predictor != 1) tag(317, static_cast<std::size_t>(form.predictor), 3);
-  if (is_real || is_signed) tag(339, is_real ? 3 : 2, 3);
+  if (t.is_real() || is_signed) tag(339, t.is_real() ? 3 : 2, 3);
   if (form.tile > 0) {
     tag(322, static_cast<std::size_t>(form.tile));
     tag(323, static_cast<std::size_t>(form.tile));
@@ -859,12 +861,12 @@ inline std::vector<StoredVolume> all_forms(const Truth& t) {
     }
     ReadOptions raw;
     raw.raw = RawLayout{t.dims, t.type, order, 4};
+    if (t.is_wide) raw.raw->type = StoredType::Wide::i64;
     add_bare(std::string("raw") + name(order), {"v.raw", "skip" + t.in_order(order)}, raw);
     for (const bool is_big : {false, true}) {
       for (const int compression : {1, 5, 8, 32946, 32773}) {
-        const bool is_real = t.type == SampleType::f32 || t.type == SampleType::f64;
         const bool has_predictor = compression == 5 || compression == 8;
-        for (const int predictor : {1, is_real ? 3 : 2}) {
+        for (const int predictor : {1, t.is_real() ? 3 : 2}) {
           for (const int tile : {0, 4}) {
             if (predictor != 1 && !has_predictor) continue;
             const TiffForm form{order, is_big, tile, 3, compression, predictor};
