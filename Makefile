@@ -7,6 +7,7 @@
 # for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets`,
 # `make tables`, `make quality`, `make switches` and `make figures`: DATA (folder of volumes); for `make quality`:
 # AGAINST (another deliso program, or runs that were kept, .tsv), TURNS, QUALITY (further options); for
+# `make gauntlet`: PYTHON (one with NumPy), GAUNTLET (options, e.g. "--count 100 --only PyMCubes"); for
 # `make site`: SITE (folder), REPOSITORY (its address, which the page's links lead to).
 BUILD ?= build
 JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
@@ -14,6 +15,7 @@ PREFIX ?= /usr/local
 OUT   ?= .
 ISO   ?=
 TURNS ?= 5
+PYTHON ?= python3
 SITE  ?= $(BUILD)/site
 DATA  ?= $(or $(DELISO_DATA),datasets)
 
@@ -115,6 +117,14 @@ quality:
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app quality
 	@$(BUILD)/bench/quality --program $(BUILD)/deliso $(if $(AGAINST),--against '$(AGAINST)') \
 	  --data '$(DATA)' --turns $(TURNS) --runs $(BUILD)/quality.tsv --markdown $(QUALITY)
+
+# The meshers that are installed (bench/gauntlet/tools.py), on 1,000 random small volumes, scored by
+# `deliso check`. Into BUILD/gauntlet go the scores, and the smallest failure of each kind.
+.PHONY: gauntlet
+gauntlet:
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=ON >/dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app gauntlet
+	@$(PYTHON) -B bench/gauntlet/gauntlet.py $(BUILD) $(BUILD)/gauntlet --jobs $(JOBS) $(GAUNTLET)
 
 # The table of docs/decisions.md: what the meshes of five volumes are worth without each mechanism that
 # a record there defends, or with another constant; all, or those named in ONLY. Minutes for each.
