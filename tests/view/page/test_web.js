@@ -258,7 +258,7 @@ test('the curves have the vertices of the surface at every step, and the worst d
     const trace = new Trace({ header: {}, arrays });
     const live = states.slice(1).map((state) => new Set(state.flat()).size);
     assert.deepEqual(Array.from(live_vertices(trace)), live);
-    const { worst, vertices } = curves_of(trace, live, events / 2);
+    const { worst, vertices } = curves_of(trace, live, places_of(trace), events / 2);
     assert.deepEqual(Array.from(vertices), live.filter((_, e) => e % 2 === 1));
     assert.deepEqual(Array.from(worst), Array.from(worst, (_, n) => n < 5 ? NaN : events - 2 * n));
   }
@@ -553,6 +553,27 @@ test('terms of the page stand in the glossary, with their definitions', () => {
     const row = rows.find((line) => line.split(' | ')[1]?.startsWith(meaning));
     assert.ok(row, `${term}: ${meaning}`);
     assert.ok(row.includes(term) || row.includes(term.replace('circumradius', 'r')), term);
+  }
+});
+
+test('removals that were refused are folded, and every event is found at its place', () => {
+  const random = random_from(3);
+  for (let n = 0; n < 50; ++n) {
+    const events = 1 + random.below(n < 20 ? 3 : 300);
+    const arrays = { event_routine: Uint8Array.from({ length: events }, () => random.below(2)),
+                     event_outcome: Uint8Array.from({ length: events }, () => random.below(4) ? 1 : 0) };
+    const header = { routines: [{ name: 'flip' }, { name: 'removal' }], outcomes: ['done', 'refused: no gain'] };
+    const trace = new Trace({ header, arrays });
+    const places = places_of(trace);
+    assert.equal(places[0], 0);
+    assert.equal(places[events], 1);
+    let folded = 0;
+    for (let e = 0; e < events; ++e) {
+      assert.ok(places[e] < places[e + 1]);
+      assert.equal(event_at(places, (places[e] + places[e + 1]) / 2), e);
+      if (arrays.event_routine[e] === 1 && arrays.event_outcome[e] === 1) folded += places[e + 1] - places[e];
+    }
+    assert.ok(folded <= 0.1 || folded > 1 - 1e-9);
   }
 });
 
