@@ -7,7 +7,7 @@
 // Return where it passes from p >= 0 to p < 0 or back, for t in [0, 1], increasing (roots/cubic.h).
 // All of the program rests on the parity: the number is odd exactly when b0 and b3 are on different
 // sides, whatever is rounded. A touch is none or two. Where you say that there is a crossing, |p|
-// must be at most some 1e-11 of the largest coefficient.
+// must be at most 2e-11 of the largest coefficient.
 //
 // The paper solves it in closed form (Schwarze 1990), which loses digits at double roots. Or: cut
 // [0, 1] at the roots of p'. Each piece is monotone, so the signs at its ends decide, and bisection
