@@ -591,6 +591,7 @@ test('the tour stops at events of the trace, and says where there is none', () =
                    event_reason: Uint8Array.of(0, 0, 1, 1), event_value: Float32Array.of(1, 1, 3, 2) };
   for (const [program, first, at_switch, events] of [
     ['published', 'certify', 'build_tri_mesh', [0, -1, 1, -1, -1, 2, 3]],
+    ['published', 'init_triangulation', 'build_tri_mesh', [0, -1, -1, 1, -1, -1, 2, 3]],
     ['exact', 'contour', 'coarsen', [0, 1, -1, -1, 2, 3]]]) {
     const header = { program, routines: [{ name: first, stage: 1 }, { name: at_switch, stage: 1 },
                                          { name: 'flip', stage: 2 }],
