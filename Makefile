@@ -194,7 +194,7 @@ deb: all
 	@DESTDIR='$(abspath $(DEB))' cmake --install $(BUILD) --prefix /usr --strip >/dev/null
 	@cd $(DEB)/usr/lib && mv "$$(find . -path '*/python/deliso')" python3/dist-packages/ \
 	  && find . -type d -name python -empty -delete \
-	  && ln -s "/usr/lib/$$(find . -name 'libdeliso_c.so' -printf '%P')" python3/dist-packages/deliso/
+	  && ln -s "../../../$$(find . -name 'libdeliso_c.so' -printf '%P')" python3/dist-packages/deliso/
 	@printf '%s\n' 'Package: deliso' "Version: $$($(BUILD)/deliso --version | cut -d' ' -f2)" \
 	  "Architecture: $$(dpkg --print-architecture)" 'Section: science' 'Priority: optional' \
 	  'Maintainer: DelIso' 'Depends: libc6, libstdc++6' 'Recommends: python3-numpy' \

@@ -15,7 +15,8 @@ bool is_single_precision(const TriMesh& mesh) {
   return std::ranges::all_of(mesh.points, [](const Vec3& p) { return to_float(p) == p; });
 }
 
-double bring_home(TriMesh& mesh, const Frame& at) {
+double bring_home(TriMesh& mesh, const Frame& volume) {
+  const Frame at = volume.in_space(mesh.frame.space);
   double largest = 0;
   const bool single = is_single_precision(mesh);
   for (Vec3& p : mesh.points) {

@@ -172,6 +172,8 @@ std::string verification_text(const Verification& v, const Volume& volume) {
     out +=
         text("\n          caps are at most ", rounded(v.solid->off_box / voxel),
              " voxels off the box, ", v.solid->self_intersections, " self-intersections with them");
+    if (v.solid->close_places > 0)
+      out += "\n          " + close_at_caps_text(v.solid->close_places);
   }
   out += text("\n", delaunay_text(v.delaunay));
   if (v.voronoi) out += voronoi_text(*v.voronoi);
@@ -218,6 +220,7 @@ void add_verification(ReportWriter& out, const Verification& v, const Volume& vo
   out.optional(v.solid.has_value())
       .add("caps_off_box_voxels", solid.off_box / voxel,
            "the largest distance of a cap's corner from the box; voxels");
+  out.optional(v.solid.has_value()).add("cap_close_places", solid.close_places, kCapClosePlaces);
   out.optional(v.solid.has_value())
       .add("cap_self_intersections", solid.self_intersections,
            "pairs of crossing triangles, one or both of the caps");

@@ -26,7 +26,11 @@ inline constexpr const char* kKeepDoubles =
 VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
                              const std::optional<Criteria>& noted);
 
-// The check command without its files: a mesh in the world, with the comments of its file.
+// Verifies a mesh in the world, given what its file says. The check command and --check do this.
+Verification verify_in_world(TriMesh mesh, const MeshNotes& notes, const CommandLine& line,
+                             const Input& input, std::function<void(double)> progress = {});
+
+// The check command without its files.
 struct CheckRun {
   Verification verification;
   bool by_comments = false;  // the criteria come from the comments

@@ -32,7 +32,7 @@ struct ClipChoice {
 };
 
 // The meaning of a picture's colors.
-enum class ColorBy : std::uint8_t { side, component, angle, distance, gradient };
+enum class ColorBy : std::uint8_t { side, component, angle, distance, gradient, label };
 
 // The field that is made of the samples (app/field.h).
 struct FieldOptions {

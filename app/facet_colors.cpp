@@ -46,6 +46,26 @@ FacetColors by_component(std::span<const TriMesh> meshes) {
   return colors;
 }
 
+// The colors that files have; of facets between two labels that of the label behind, as of the
+// label's own mesh.
+FacetColors by_label(std::span<const MeshNotes> notes, const CommandLine& line) {
+  FacetColors colors;
+  for (std::size_t n = 0; n < notes.size(); ++n) {
+    std::vector<Rgb>& of_mesh = colors.of_mesh.emplace_back();
+    if (notes[n].colors.empty() && notes[n].sides.empty()) {
+      throw InputError("--color-by label: '", line.meshes[n],
+                       "' has no colors; a .glb, .3mf or .vtp of --label all has, and a .ply or "
+                       ".vtp of --shared");
+    }
+    for (const auto& [red, green, blue] : notes[n].colors) of_mesh.push_back({red, green, blue});
+    if (!of_mesh.empty()) continue;
+    for (const auto& [front, behind] : notes[n].sides) {
+      of_mesh.push_back(category_color(static_cast<std::size_t>(behind != 0 ? behind : front)));
+    }
+  }
+  return colors;
+}
+
 FacetColors by_value(const Values& values, ColorBar bar) {
   FacetColors colors;
   for (const std::vector<double>& of_mesh : values) {
@@ -65,9 +85,10 @@ Values of_each(std::span<const TriMesh> meshes, F f) {
 
 }  // namespace
 
-FacetColors color_facets(std::span<const TriMesh> meshes, const CommandLine& line,
-                         const Input* input) {
+FacetColors color_facets(std::span<const TriMesh> meshes, std::span<const MeshNotes> notes,
+                         const CommandLine& line, const Input* input) {
   if (line.color_by == ColorBy::side) return {std::vector<std::vector<Rgb>>(meshes.size()), {}, {}};
+  if (line.color_by == ColorBy::label) return by_label(notes, line);
   if (line.color_by == ColorBy::component) return by_component(meshes);
   if (line.color_by == ColorBy::angle) {
     return by_value(of_each(meshes, smallest_angles), {"smallest angle (degrees)", 60, false});

@@ -9,6 +9,7 @@
 
 #include "app/command_line.h"
 #include "app/input.h"
+#include "io/mesh/read_mesh.h"
 #include "view/render/color_bar.h"
 
 namespace deliso {
@@ -19,9 +20,9 @@ struct FacetColors {
   std::vector<std::size_t> components;    // per mesh; only with ColorBy::component
 };
 
-// Returns the colors. `input`: the volume, if the command line has one. Throws InputError if no
-// facet is near the isosurface.
-FacetColors color_facets(std::span<const TriMesh> meshes, const CommandLine& line,
-                         const Input* input);
+// Returns the colors. `input`: the volume, if the command line has one. `notes`: of each mesh's
+// file. Throws InputError if no facet is near the isosurface, or a file has no colors or labels.
+FacetColors color_facets(std::span<const TriMesh> meshes, std::span<const MeshNotes> notes,
+                         const CommandLine& line, const Input* input);
 
 }  // namespace deliso

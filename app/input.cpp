@@ -116,6 +116,11 @@ Input read_input(const CommandLine& line, std::vector<std::string> others) {
   return input_of(read_source(line, std::move(others)), line);
 }
 
+void turn_to(AnatomicalSpace space, Input& input) {
+  Volume& volume = input.field.volume;
+  volume = volume.with_frame(volume.frame().in_space(space));
+}
+
 std::string no_surface_text(double isovalue, const ValueRange& range) {
   return text("no surface at isovalue ", isovalue, ": the samples are ", range.min, " to ",
               range.max);

@@ -46,6 +46,9 @@ struct Source {
 Source read_source(const CommandLine& line, std::vector<std::string> others = {});
 Input input_of(const Source& source, const CommandLine& line);
 
+// Turns the volume to the space that a mesh names, if it names one itself.
+void turn_to(AnatomicalSpace space, Input& input);
+
 // Writes the warning, if there is one, unless the command is to be quiet.
 void print_warning(const std::string& warning, const CommandLine& line);
 

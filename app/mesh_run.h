@@ -31,17 +31,19 @@ struct MeshRun {
 
   const CommandLine& line;
   const Input& input;
+  bool is_one_of_all = false;  // of --label all: its advice is for all labels at once
 
   Report report;
   paper::Report published;  // with --paper
   std::size_t vertices = 0, triangles = 0;
   TopologyCounts mesh;
-  std::string fault;           // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
-  MeshQuality quality;         // of the surface
-  MeshQuality cap_quality;     // with --cap
-  ClosePlaces close;           // of the surface
-  double max_off_surface = 0;  // of vertices that --cap needs off the surface; scaled frame
-  double volume = 0;           // if has_volume(): inside mesh and caps, in world units
+  std::string fault;        // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
+  MeshQuality quality;      // of the surface
+  MeshQuality cap_quality;  // with --cap
+  ClosePlaces close;        // of the surface
+  std::size_t close_at_caps = 0;  // with --cap: count_at_caps()
+  double max_off_surface = 0;     // of vertices that --cap needs off the surface; scaled frame
+  double volume = 0;              // if has_volume(): inside mesh and caps, in world units
   // Of the mesh as it is in the file, and as it would be in double precision. Counted with --cap,
   // and if coordinates are rounded to float.
   PlaceFaults written, in_double;
@@ -56,6 +58,12 @@ struct MeshRun {
   // True if it is closed: by caps, or as the surface of labels inside the box.
   bool has_volume() const {
     return has_solid() || (input.field.label && !line.options.cap && mesh.boundary_loops == 0);
+  }
+  // True of labels that reach the volume's border, where nothing closes their mesh. A warning about
+  // the input says that they are none.
+  bool is_open_label() const {
+    return input.field.label && input.warning.empty() && !line.options.cap &&
+           mesh.boundary_loops > 0;
   }
   // Returns the share by which it differs from the volume of the label's voxels.
   double volume_difference() const { return volume / input.field.label->volume - 1; }
@@ -76,7 +84,13 @@ TriMesh mesh_input(MeshRun& run, Progress& progress,
 // impossible one.
 void warn_of_size(double vertices, const std::function<void(const std::string&)>& warn);
 
-// Throws InputError if the mesh has no surface, but caps at most, unless the line allows that.
+// Warns in one line if single precision moves the points, as the file has them, by more than a
+// quarter of the bound on the distance, or of its default if there is none.
+void warn_of_rounding(const std::vector<Vec3>& points, double max_distance, const Volume& volume,
+                      const std::function<void(const std::string&)>& warn);
+
+// Throws InputError if the mesh has no surface, but caps at most, unless the line allows that, or
+// the caps are those of labels, which may fill the volume.
 void require_surface(const MeshRun& run, const TriMesh& mesh);
 
 // Checks and measures the mesh, as mesh_input() does.
@@ -93,7 +107,8 @@ std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& 
 // the labels; `total` counts from the beginning of the run. Returns the exit status.
 int run_shared(const Stopwatch& total, const Source& source, const CommandLine& line,
                std::span<const CommandLine> lines);
-// Writes the meshes of labels into one file, each with its name, else "label N", and color. pre:
+// Writes the meshes of labels into one file, each with its name, else "label N", and its
+// color, else one of our own. pre:
 // there is one.
 void write_labels(std::vector<MeshObject> objects, std::span<const std::int64_t> labels,
                   const std::string& path);

@@ -156,6 +156,15 @@ constexpr OptionSpec kInputAndOutput[] = {
     {"--origin", 0, "X,Y,Z", kVolume,
      "where the file's first sample lies (default: what the file says, or 0,0,0)",
      [](Line& l, Text o, Text v) { l.read.origin = parse_point(o, v); }},
+    {"--space", 0, "LPS|RAS", kVolume,
+     "the patient's space of the mesh: x, y, z to the left, back, head, or to the right, front, "
+     "head "
+     "(default: the volume's, if its file names one)",
+     [](Line& l, Text o, Text v) {
+       l.read.space = choose<bool>(o, v) ? AnatomicalSpace::ras : AnatomicalSpace::lps;
+     },
+     "the patient's space that the volume is turned to (default: the mesh's, if its file names "
+     "one)"},
     {"--nan", 0, "VALUE", kVolume,
      "the value of NaN samples, before all else (default: they are refused)",
      [](Line& l, Text o, Text v) { l.field.nan = parse_number(o, v); }},
@@ -325,10 +334,11 @@ constexpr OptionSpec kRest[] = {
      "a caption for each panel: auto, the file's name and its triangles; or texts of your own, one "
      "for each mesh as in 'before/after', each of which can be auto or nothing too",
      [](Line& l, Text o, Text v) { l.labels = parse_labels(o, v); }},
-    {"--color-by", 0, "side|component|angle|distance|gradient", kRenderOnly,
+    {"--color-by", 0, "side|component|angle|distance|gradient|label", kRenderOnly,
      "side (default): which side of the surface is seen; component: a color for each of the "
      "largest; angle: the smallest of the triangle; distance: from the isosurface, in voxels, with "
-     "--volume and --iso; gradient: how steep the samples are, with --volume",
+     "--volume and --iso; gradient: how steep the samples are, with --volume; label: the colors "
+     "of a .glb, .3mf or .vtp, or one for each label of --shared",
      [](Line& l, Text o, Text v) { l.color_by = choose<ColorBy>(o, v); }},
     {"--volume", 0, "INPUT", kShownAndJoin,
      "the volume whose isosurface triangles are measured against, with --iso; of join that of the "
@@ -476,7 +486,7 @@ std::string_view help_in(Command command, const OptionSpec& spec) {
 LibraryUse library_use(std::string_view name) {
   constexpr std::string_view kOfFiles[] = {
       "--iso",  "--volume", "--roi",  "--array",  "--series",  "--channel", "--time",
-      "--dims", "--type",   "--skip", "--endian", "--spacing", "--origin"};
+      "--dims", "--type",   "--skip", "--endian", "--spacing", "--origin",  "--space"};
   constexpr std::string_view kNone[] = {"--output",    "--format",     "--json",  "--quiet",
                                         "--verbose",   "--part",       "--help",  "--version",
                                         "--ply-ascii", "--attributes", "--shared"};
@@ -489,9 +499,14 @@ const OptionSpec& option_named(std::string_view name) {
 }
 
 std::vector<std::string_view> choices_of(const OptionSpec& spec) {
+  // X|Xvox names a value; LPS|RAS are values.
   const auto is_capital = [](char c) { return 'A' <= c && c <= 'Z'; };
-  if (spec.argument.empty() || std::ranges::any_of(spec.argument, is_capital)) return {};
-  return split(spec.argument, '|');
+  const std::vector<std::string_view> words = split(spec.argument, '|');
+  const bool all_capitals = words.size() > 1 && std::ranges::all_of(words, [&](auto word) {
+                              return word.size() > 1 && std::ranges::all_of(word, is_capital);
+                            });
+  const bool has_name = !all_capitals && std::ranges::any_of(spec.argument, is_capital);
+  return spec.argument.empty() || has_name ? std::vector<std::string_view>() : words;
 }
 
 }  // namespace deliso

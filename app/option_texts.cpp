@@ -97,7 +97,8 @@ std::string man_page() {
   for (const BuiltinField& field : builtin_fields()) {
     fields += text(".TP\n.B builtin:", field.name, "\n", roff(field.description), "\n");
   }
-  return text(R"(.TH DELISO 1 "" "deliso )", kVersion, "\" \"User Commands\"\n",
+  // In the place of a date, which would differ from one build to the next.
+  return text(R"(.TH DELISO 1 "version )", kVersion, "\" \"DelIso\" \"User Commands\"\n",
               ".SH NAME\ndeliso \\- Delaunay meshes of isosurfaces of volume data\n",
               ".SH SYNOPSIS\n", synopsis, ".SH DESCRIPTION\n", roff(kPurpose), "\n.PP\n",
               roff(kVolumeFiles), "\n.PP\n", roff(kMeshFiles), "\n.SH COMMANDS\n", commands,
@@ -218,7 +219,8 @@ Value = Union[str, float, Sequence[float]]
 )";
   std::string of_files;
   // Parameters of their own.
-  constexpr std::string_view kParameters[] = {"--iso", "--volume", "--spacing", "--origin"};
+  constexpr std::string_view kParameters[] = {"--iso", "--volume", "--spacing", "--origin",
+                                              "--space"};
   for (const CommandSpec& command : command_table()) {
     constexpr Command kOfLibrary[] = {Command::mesh, Command::info, Command::check, Command::render,
                                       Command::join};

@@ -192,6 +192,7 @@ void add_mesh(ReportWriter& out, const MeshRun& run) {
     add_solid(out, run.vertices - report.cap.surface_vertices,
               run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality);
   }
+  out.optional(run.line.options.cap).add("cap_close_places", run.close_at_caps, kCapClosePlaces);
   out.optional(run.line.options.cap)
       .add("cap_failure", report.cap.failure,
            "with --cap: why the mesh stayed open; empty: it is closed");

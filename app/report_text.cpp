@@ -128,6 +128,7 @@ std::string verdict_text(const MeshRun& run) {
   add_line(folds, counted(folds, "pair") + " of triangles folded on each other", "folds");
   add_line(near, counted(near, "vertex", "vertices") + " nearly on a triangle of others",
            "near_vertices");
+  add_line(run.close_at_caps, close_at_caps_text(run.close_at_caps), "cap_close_places");
   return lines;
 }
 

@@ -13,10 +13,11 @@
 namespace deliso {
 namespace {
 
+constexpr float kEndless = std::numeric_limits<float>::infinity();
+
 // Returns the float next to x that is on the other side of it than `rounded`; x itself if it is a
 // float.
 double other_float(double x, double rounded) {
-  constexpr float kEndless = std::numeric_limits<float>::infinity();
   if (x == rounded) return x;
   return std::nextafter(static_cast<float>(rounded), rounded < x ? kEndless : -kEndless);
 }
@@ -80,6 +81,15 @@ void mend(VertexId vertex, const Vec3& exact, std::vector<Vec3>& points,
 }
 
 }  // namespace
+
+double float_rounding(std::span<const Vec3> points) {
+  double largest = 0;
+  for (const Vec3& p : points) {
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  }
+  const double at = to_float(largest);
+  return (std::nextafter(static_cast<float>(at), kEndless) - at) / 2;
+}
 
 std::vector<Vec3> round_without_faults(const std::vector<Vec3>& exact,
                                        std::span<const Triangle> triangles, int threads) {

@@ -10,6 +10,10 @@
 
 namespace deliso {
 
+// Returns the largest distance along an axis by which rounding to float moves points of this size:
+// half of that between neighboring floats.
+double float_rounding(std::span<const Vec3> points);
+
 // Returns the points rounded to floats. Vertices in faults of the nearest floats take others of the
 // eight floats around them if that leaves fewer faults. Four rounds over these vertices; none while
 // there are more than kMostMended.

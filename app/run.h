@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/command_line.h"
+#include "io/mesh/read_mesh.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso {
@@ -22,7 +23,8 @@ int run_info(const CommandLine& line);
 int run_check(const CommandLine& line);
 int run_render(const CommandLine& line);
 // Draws the meshes, which the line's names are of, into its output. Returns a line about it.
-std::string draw(std::span<const TriMesh> meshes, const CommandLine& line);
+std::string draw(std::span<const TriMesh> meshes, std::span<const MeshNotes> notes,
+                 const CommandLine& line);
 int run_view(const CommandLine& line);
 int run_trace(const CommandLine& line);
 int run_join(const CommandLine& line);

@@ -17,16 +17,21 @@
 
 namespace deliso {
 
-CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const CommandLine& line,
+Verification verify_in_world(TriMesh mesh, const MeshNotes& notes, const CommandLine& line,
                              const Input& input, std::function<void(double)> progress) {
   const Volume& volume = input.volume();
-  const auto noted = line.paper ? std::nullopt : noted_criteria(notes.comments);
-  VerifyOptions options = verify_options(line, volume, noted);
+  VerifyOptions options = verify_options(line, volume, noted_criteria(notes.comments));
   options.progress = std::move(progress);
-  CheckRun run{{}, noted.has_value(), notes.rounding > 0 || is_single_precision(mesh), {}};
   options.position_error = notes.rounding + bring_home(mesh, volume.frame());
-  run.verification =
-      verify(mesh, volume, geometric_isovalue(volume.type(), *input.isovalue), options);
+  return verify(mesh, volume, geometric_isovalue(volume.type(), *input.isovalue), options);
+}
+
+CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const CommandLine& line,
+                             const Input& input, std::function<void(double)> progress) {
+  CheckRun run;
+  run.by_comments = !line.paper && noted_criteria(notes.comments);
+  run.is_single = notes.rounding > 0 || is_single_precision(mesh);
+  run.verification = verify_in_world(std::move(mesh), notes, line, input, std::move(progress));
 
   ReportWriter out("check");
   add_check(out, line.meshes.front(), run.by_comments, input, run.verification);
@@ -37,7 +42,8 @@ CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const Command
 int run_check(const CommandLine& line) {
   MeshNotes notes;
   TriMesh mesh = read_mesh(line.meshes.front(), &notes);
-  const Input input = read_input(line, line.meshes);
+  Input input = read_input(line, line.meshes);
+  turn_to(mesh.frame.space, input);
   const std::string asked = field_note(line.field, input.volume());
   const auto made = noted_field(notes.comments);
   if (made && *made != asked) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/advice.h"
 #include "app/label_table.h"
 #include "app/mesh_run.h"
 #include "app/output.h"
@@ -52,7 +53,10 @@ std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& 
     one.json = shared ? "" : name_with(line.json, found.label);
     one.allow_empty = true;  // a label may fill the volume
     for (const NamedSegment& segment : source.log.segments) {
-      if (segment.label == found.label) one.write.name = segment.name;
+      if (segment.label != found.label) continue;
+      one.write.name = segment.name;
+      const bool is_object = in_one_file(line) || line.output.empty();  // or may become one
+      if (segment.color && is_object) one.write.label = ObjectLabel{found.label, *segment.color};
     }
     require_outputs(std::vector{one.output, one.json}, files);
     lines.push_back(std::move(one));
@@ -68,10 +72,11 @@ std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& 
 void write_labels(std::vector<MeshObject> objects, std::span<const std::int64_t> labels,
                   const std::string& path) {
   for (std::size_t n = 0; n < objects.size(); ++n) {
-    const Rgb color = category_color(static_cast<std::size_t>(labels[n]));
     MeshWriteOptions& options = objects[n].options;
     if (options.name.empty()) options.name = text("label ", labels[n]);
-    options.label = {labels[n], {color.red, color.green, color.blue}};
+    const Rgb own = category_color(static_cast<std::size_t>(labels[n]));
+    const std::array color{own.red, own.green, own.blue};
+    options.label = {labels[n], options.label ? options.label->color : color};
   }
   // The file's comment: it has all labels.
   std::string& comment = objects.front().options.comment;
@@ -100,15 +105,17 @@ int run_labels(const CommandLine& line) {
   std::string table = label_heading();
   bool all_sound = true;
   std::vector<MeshObject> objects;
-  std::vector<std::int64_t> labels;
+  std::vector<std::int64_t> labels, open;
   for (const CommandLine& one : lines) {
     const Stopwatch total;
     ProgressBar progress(mesh_stages(one), !one.quiet);
     const Input input = input_of(source, one);
     MeshRun run(one, input);
+    run.is_one_of_all = true;
     const TriMesh mesh = mesh_input(run, progress, warner(progress, one));
     write_files(total, progress, run, mesh, in_one_file(line) ? &objects : nullptr);
     labels.push_back(one.field.labels.front());
+    if (run.is_open_label()) open.push_back(labels.back());
     all_sound &= run.sound();
     if (line.verbose && !line.quiet) print(report_text(run) + "\n");
     const LabelFacts& label = *input.field.label;
@@ -118,6 +125,7 @@ int run_labels(const CommandLine& line) {
                       run.triangles, run.mesh, run.report.exact, run.seconds_total});
   }
   if (!objects.empty()) write_labels(std::move(objects), labels, line.output);
+  print_warning(border_advice(open), line);
   if (!line.quiet) print_report(table, line.output == "-");
   return all_sound ? kExitSuccess : kFaultFound;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/advice.h"
 #include "app/check_report.h"
 #include "app/count_stop.h"
 #include "app/criteria_note.h"
@@ -45,9 +46,20 @@ constexpr double kManyVertices = 1e7, kMaxVertices = 2.5e8;
 
 using Warn = std::function<void(const std::string&)>;
 
-// Throws InputError if no sample can be on one of the two sides.
-void require_isovalue_in_range(double isovalue, const ValueRange& range) {
+// Throws InputError if no sample can be on one of the two sides. Caps alone are the mesh of labels
+// that fill the volume.
+void require_isovalue_in_range(const MeshRun& run) {
+  const double isovalue = *run.input.isovalue;
+  const ValueRange& range = *run.input.range;
   if (range.min < isovalue && isovalue <= range.max) return;
+  const std::optional<LabelFacts>& label = run.input.field.label;
+  const bool is_full = label && isovalue <= range.min;
+  if (is_full && run.line.options.cap) return;
+  if (is_full) {
+    throw InputError(
+        "no surface around label ", joined(label->labels, ", "),
+        ", which fills the volume: --cap makes the block (--allow-empty accepts that)");
+  }
   throw InputError(no_surface_text(isovalue, range), ", everything is ",
                    isovalue <= range.min ? "inside" : "outside", " (--allow-empty accepts that)");
 }
@@ -70,6 +82,13 @@ double max_off_surface(const Volume& volume, const TriMesh& mesh, const Report& 
   return largest;
 }
 
+ClosePlaces close_places(const TriMesh& mesh, const Volume& volume, int threads) {
+  const std::vector<Triangle> triangles = mesh.triangles();
+  const VertexGrids grids(mesh.points, triangles);
+  return find_close_places(mesh.points, triangles, edge_uses(mesh.points.size(), triangles), grids,
+                           volume, threads);
+}
+
 // Checks and measures the mesh for the report, in threads.
 void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, bool reported,
              MeshRun& run) {
@@ -84,19 +103,21 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
       run.quality =
           measure_quality(surface, options.limits[Criterion::r_over_l].value, run.report.r_min);
     });
-    looks.emplace_back([&] {
-      const std::vector<Triangle> triangles = surface.triangles();
-      const VertexGrids grids(surface.points, triangles);
-      run.close =
-          find_close_places(surface.points, triangles, edge_uses(surface.points.size(), triangles),
-                            grids, volume, options.threads);
-    });
+    looks.emplace_back([&] { run.close = close_places(surface, volume, options.threads); });
   }
   if (reported && options.cap) {
     looks.emplace_back([&] {
       const TriMesh caps = part_of(mesh, run.report.cap.surface_triangles, mesh.faces.size());
       run.cap_quality = measure_quality(caps, options.limits[Criterion::r_over_l].value, 0);
       run.volume = world_volume(enclosed_volume(mesh), volume.frame());
+    });
+    looks.emplace_back([&] {
+      const std::vector<Triangle> triangles = mesh.triangles();
+      std::vector<bool> is_cap(triangles.size(), false);
+      std::fill(is_cap.begin() + static_cast<std::ptrdiff_t>(run.report.cap.surface_triangles),
+                is_cap.end(), true);
+      run.close_at_caps =
+          count_at_caps(close_places(mesh, volume, options.threads), triangles, is_cap);
     });
   }
   if (reported && options.cap && run.report[Counter::cap_lifts_off_surface] > 0) {
@@ -110,12 +131,20 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
 }
 
 // Verifies the mesh against the volume, independently of the stages, as the check command verifies
-// its file.
-void verify_run(const Volume& volume, const TriMesh& mesh, Progress& progress, MeshRun& run) {
-  const std::vector<std::string> comments{criteria_note(run.line, volume)};
-  VerifyOptions options = verify_options(run.line, volume, noted_criteria(comments));
-  options.progress = [&](double share) { progress.show("check", share); };
-  run.verification = verify(mesh, volume, run.report.kappa_effective, options);
+// its file: with the coordinates that the file has. Without a file they are those of a PLY file.
+void verify_run(const TriMesh& mesh, Progress& progress, MeshRun& run) {
+  const CommandLine& line = run.line;
+  MeshWriteOptions write = line.write;
+  if (line.output.empty()) write = {.format = MeshFormat::ply};
+  const TriMesh& made = run.rounded ? *run.rounded : mesh;
+  WrittenMesh file = written_mesh(made, write);
+  MeshNotes notes{{criteria_note(line, run.input.volume())}, 0};
+  if (write.format == MeshFormat::glb) notes.rounding = 2 * float_rounding(file.points);
+  const Vec3 origin = written_origin(made, write);
+  for (Vec3& p : file.points) p = p + origin;
+  run.verification =
+      verify_in_world(make_tri_mesh(std::move(file.points), file.triangles), notes, line, run.input,
+                      [&](double share) { progress.show("check", share); });
 }
 
 // Returns the mesh in the world, with the vertices where the file should have them so that rounding
@@ -134,7 +163,7 @@ TriMesh rounded_mesh(const TriMesh& mesh, const CommandLine& line) {
 // Counts faults of the points as the file will have them: single precision and turned axes round
 // them. If there are some, counts those of the doubles too, to see whether rounding is the cause,
 // and tries another rounding. Returns a mesh to write in place of `mesh`, if that helps.
-std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run) {
+std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run, const Warn& warn) {
   const CommandLine& line = run.line;
   const bool is_written = !line.output.empty();
   const bool is_single = is_written && writes_single_precision(line.write);
@@ -145,6 +174,9 @@ std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run)
   };
   const std::vector<Vec3> points =
       is_written ? written_points(mesh, line.write) : std::vector<Vec3>(mesh.points);
+  if (is_single) {
+    warn_of_rounding(points, run.report.max_distance, run.input.volume(), warn);
+  }
   run.written = run.in_double = find(points);
   if (!is_single || run.written.count() == 0) return std::nullopt;
   run.in_double = find(written_points(mesh, {.format = MeshFormat::ply}));
@@ -163,13 +195,14 @@ TriMesh make_mesh(MeshRun& run, Progress& progress, const Warn& warn) {
   const CommandLine& line = run.line;
   const Volume& volume = run.input.volume();
   const double isovalue = *run.input.isovalue;
-  if (!line.allow_empty) require_isovalue_in_range(isovalue, *run.input.range);
+  if (!line.allow_empty) require_isovalue_in_range(run);
   if (run.input.field.label && run.input.range->max < isovalue) {
     const LabelFacts& label = *run.input.field.label;
     warn(vanished_text(joined(label.labels, ", "), label.samples));
   }
   require_limits(line.options, volume);
   warn_of_size(expected_vertices(volume, isovalue, line.options), warn);
+  if (const std::string advice = mask_advice(run.input); !advice.empty()) warn(advice);
 
   if (line.paper) {
     PublishedProgress shown(progress);
@@ -189,6 +222,18 @@ void warn_of_size(double vertices, const Warn& warn) {
                                  "--rmin, or --vertices N, gives fewer");
   if (vertices > kMaxVertices) throw InputError("too large: ", words);
   warn(words);
+}
+
+void warn_of_rounding(const std::vector<Vec3>& points, double max_distance, const Volume& volume,
+                      const Warn& warn) {
+  constexpr double kMostOfDistance = 0.25;
+  const double usual = Options::usual_limits()[Criterion::distance].in(volume);
+  const double bound = max_distance > 0 && max_distance < Options::kNone ? max_distance : usual;
+  const double moved = float_rounding(points), voxel = volume.voxel();
+  if (moved <= kMostOfDistance * bound) return;
+  warn(text("so far from the origin, single precision moves vertices by up to ",
+            rounded(moved / voxel), " voxels along an axis, where D = ", rounded(bound / voxel),
+            " voxels: give --origin 0,0,0; ", kKeepDoubles));
 }
 
 MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
@@ -219,13 +264,15 @@ void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress, const W
   const bool reported = !line.quiet || line.check || !line.json.empty();
   examine(volume, mesh, surface, reported, run);
   if (!line.quiet && count_stop(run) != CountStop::none) warn(count_text(run));
-  run.rounded = find_faults_as_written(mesh, run);
-  if (line.check) verify_run(volume, mesh, progress, run);
+  if (const std::string advice = tie_advice(run); reported && !advice.empty()) warn(advice);
+  if (run.is_open_label() && !run.is_one_of_all) warn(border_advice(run.input.field.label->labels));
+  run.rounded = find_faults_as_written(mesh, run, warn);
+  if (line.check) verify_run(mesh, progress, run);
   run.seconds_check = watch.seconds();
 }
 
 void require_surface(const MeshRun& run, const TriMesh& mesh) {
-  const bool capped = run.line.options.cap;
+  const bool capped = run.line.options.cap && !run.input.field.label;
   const std::size_t facets = capped ? run.report.cap.surface_triangles : mesh.faces.size();
   if (facets > 0 || run.line.allow_empty) return;
   throw InputError("the mesh at isovalue ", *run.input.isovalue,

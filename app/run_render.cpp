@@ -51,12 +51,15 @@ ClipPlane plane_of(const ClipChoice& clip, const Box3& box) {
   return plane;
 }
 
-// The patient's directions if all meshes name the same space.
-std::array<std::string_view, 3> axis_names(std::span<const TriMesh> meshes) {
+// Returns the patient's space that all meshes name.
+AnatomicalSpace space_of(std::span<const TriMesh> meshes) {
   const AnatomicalSpace space = meshes.front().frame.space;
-  for (const TriMesh& mesh : meshes) {
-    if (mesh.frame.space != space) return {"x", "y", "z"};
-  }
+  const bool all =
+      std::ranges::all_of(meshes, [&](const TriMesh& mesh) { return mesh.frame.space == space; });
+  return all ? space : AnatomicalSpace::unknown;
+}
+
+std::array<std::string_view, 3> axis_names(AnatomicalSpace space) {
   if (space == AnatomicalSpace::ras) return {"R", "A", "S"};
   if (space == AnatomicalSpace::lps) return {"L", "P", "S"};
   return {"x", "y", "z"};
@@ -101,12 +104,16 @@ std::string caption_of(const std::string& label, const std::string& file, const 
 
 }  // namespace
 
-std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
+std::string draw(std::span<const TriMesh> meshes, std::span<const MeshNotes> notes,
+                 const CommandLine& line) {
   std::optional<Input> input;
-  if (!line.input.empty()) input = read_input(line);
-  FacetColors colors = color_facets(meshes, line, input ? &*input : nullptr);
+  const AnatomicalSpace space = space_of(meshes);
+  if (!line.input.empty()) {
+    input = read_input(line);
+    turn_to(space, *input);
+  }
+  FacetColors colors = color_facets(meshes, notes, line, input ? &*input : nullptr);
   const Box3 box = box_of(meshes);
-  const std::array<std::string_view, 3> axes = axis_names(meshes);
   TriMesh one;
   if (line.overlay) {
     one = laid_over(meshes, colors);
@@ -124,7 +131,7 @@ std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
   std::string sizes;
   std::vector<std::vector<std::uint8_t>> framed(meshes.size());
   options.threads = line.options.threads;
-  if (line.axes) options.axes = axes;
+  if (line.axes) options.axes = axis_names(space);
   for (std::size_t n = 0; n < meshes.size(); ++n) {
     if (!options.aim.look_at && line.clips.empty()) {
       framed[n] = facets_of_most_area(meshes[n], facet_components(meshes[n]));
@@ -167,8 +174,11 @@ std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
 int run_render(const CommandLine& line) {
   require_outputs({&line.output, 1}, line.meshes);
   std::vector<TriMesh> meshes;
-  for (const std::string& name : line.meshes) meshes.push_back(read_mesh(name));
-  const std::string report = draw(meshes, line);
+  std::vector<MeshNotes> notes;
+  for (const std::string& name : line.meshes) {
+    meshes.push_back(read_mesh(name, &notes.emplace_back()));
+  }
+  const std::string report = draw(meshes, notes, line);
   if (!line.quiet) print_report(report, line.output == "-");
   return kExitSuccess;
 }

@@ -32,6 +32,7 @@ void write_label_meshes(const SharedRun& run, std::span<const CommandLine> lines
     MeshWriteOptions write = options_of_label(united, label);
     write.format = one->write.format;
     write.name = one->write.name;
+    write.label = one->write.label;
     if (in_one_file(run.line)) {
       objects.push_back({std::move(mesh), write});
       labels.push_back(label);

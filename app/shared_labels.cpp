@@ -139,13 +139,16 @@ void examine_labels(SharedRun& run, const Volume& volume) {
 }
 
 // Measures the whole mesh, and looks for crossings in it as its file will have it.
-void examine_whole(SharedRun& run) {
+void examine_whole(SharedRun& run, const Warn& warn) {
   const TriMesh mesh = united_mesh(run);
   const double lambda = run.line.options.limits[Criterion::r_over_l].value;
   run.quality = measure_quality(mesh, lambda, run.line.options.r_min.in(run.input.volume()));
   MeshWriteOptions write = united_options(run);
   if (!write.format) write.format = MeshFormat::ply;
   const WrittenMesh written = written_mesh(mesh, write);
+  if (writes_single_precision(write)) {
+    warn_of_rounding(written.points, run.report.max_distance, run.input.volume(), warn);
+  }
   run.written = find_place_faults(written.points, written.triangles, run.line.options.threads);
   std::vector<VertexId> used;
   for (std::size_t f = 0; f < run.mesh.inner_facets; ++f) {
@@ -176,7 +179,7 @@ void mesh_labels(SharedRun& run, Progress& progress, const Warn& warn) {
   const Stopwatch watch;
   find_sides(run, partition);
   examine_labels(run, volume);
-  examine_whole(run);
+  examine_whole(run, warn);
   const CountedMesh asked = counted_mesh(run);
   if (count_stop(asked) != CountStop::none) warn(count_text(asked));
   run.seconds_check = watch.seconds();

@@ -32,6 +32,11 @@ std::string solid_text(std::size_t cap_vertices, std::size_t cap_triangles, doub
   return line;
 }
 
+std::string close_at_caps_text(std::size_t count) {
+  return counted(count, "place") +
+         " where caps are needles, are folded, or nearly touch a triangle";
+}
+
 void add_solid(ReportWriter& out, std::size_t cap_vertices, std::size_t cap_triangles,
                double volume, const MeshQuality& caps) {
   out.open("solid", "with --cap: the surface closed on the box");

@@ -18,6 +18,14 @@ double world_volume(double scaled, const Frame& frame);
 std::string solid_text(std::size_t cap_vertices, std::size_t cap_triangles, double volume,
                        const MeshQuality& caps);
 
+// The meaning of the number of count_at_caps() in the JSON.
+inline constexpr const char* kCapClosePlaces =
+    "with --cap: needles, folds and near vertices that caps take part in; no faults, but programs "
+    "that fill the solid may refuse it";
+
+// Returns "3 places where caps ...".
+std::string close_at_caps_text(std::size_t count);
+
 // Returns six digits, or a whole number from 100,000 on.
 std::string volume_text(double volume);
 

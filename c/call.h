@@ -16,6 +16,7 @@
 #include "base/check.h"
 #include "blocks/block.h"
 #include "c/deliso.h"
+#include "io/mesh/read_mesh.h"
 #include "io/mesh/write_mesh.h"
 #include "io/volume/read_volume.h"
 #include "io/volume/sample_grid.h"
@@ -34,8 +35,8 @@ struct deliso_mesh {
   std::vector<deliso::Vec3> normals;
   deliso::MeshWriteOptions write;
   deliso::AnatomicalSpace space{};
-  double rounding = 0;  // of MeshNotes, of a mesh that was read
-  std::string names;    // of labels' segments in a mesh of all labels: lines "label name"
+  deliso::MeshNotes notes;  // of a mesh that was read
+  std::string names;        // of labels' segments in a mesh of all labels: lines "label name"
   std::string report, warnings;
 };
 

@@ -109,6 +109,18 @@ std::string name_of_label(const std::string& names, std::int64_t label) {
   return {};
 }
 
+// The color of a label as deliso_mesh_data has it, and back.
+int32_t number_of(const std::optional<ObjectLabel>& label) {
+  if (!label) return 0;
+  const auto& [red, green, blue] = label->color;
+  return 0x1000000 | red << 16 | green << 8 | blue;
+}
+std::optional<ObjectLabel> label_of(int32_t number) {
+  if (number == 0) return std::nullopt;
+  const auto byte = [&](int shift) { return static_cast<std::uint8_t>(number >> shift & 0xff); };
+  return ObjectLabel{0, {byte(16), byte(8), byte(0)}};  // its number comes with the label
+}
+
 std::string text_or_empty(const char* text) {
   return text ? text : "";
 }
@@ -279,6 +291,7 @@ deliso_status deliso_mesh_get_data(const deliso_mesh* mesh, deliso_mesh_data* da
     data->single_precision = mesh->write.single_precision;
     data->sides = deliso_mesh_sides(mesh, nullptr);
     data->names = mesh->names.c_str();
+    data->color = number_of(mesh->write.label);
     return true;
   });
 }
@@ -314,6 +327,7 @@ deliso_status deliso_mesh_from_data(const deliso_mesh_data* data, deliso_mesh** 
       made->write.sides.push_back({data->sides[2 * n], data->sides[2 * n + 1]});
     }
     made->names = text_or_empty(data->names);
+    made->write.label = label_of(data->color);
     if (data->first_cap != SIZE_MAX) {
       if (data->first_cap > data->triangle_count) {
         throw InputError("first_cap is beyond the last triangle");
@@ -329,10 +343,11 @@ deliso_status deliso_mesh_read(const char* path, deliso_mesh** mesh) {
   return guarded(nullptr, [&] {
     require(path, "path");
     require(mesh, "mesh");
-    MeshNotes notes;
     auto made = std::make_unique<deliso_mesh>();
-    made->mesh = written_mesh(read_mesh(path, &notes), {.format = MeshFormat::ply});
-    made->rounding = notes.rounding;
+    MeshNotes& notes = made->notes;
+    const TriMesh mesh_of_file = read_mesh(path, &notes);
+    made->mesh = written_mesh(mesh_of_file, {.format = MeshFormat::ply});
+    made->space = mesh_of_file.frame.space;
     for (const std::string& comment : notes.comments) {
       if (made->write.comment.empty() && noted_field({&comment, 1})) made->write.comment = comment;
     }
@@ -368,7 +383,10 @@ const char* deliso_mesh_warnings(const deliso_mesh* mesh) {
 deliso_status deliso_mesh_save(const deliso_mesh* mesh, const char* path) {
   return guarded(nullptr, [&] {
     require(path, "path");
-    write_mesh(tri_mesh_of(mesh), path, mesh->write);
+    const TriMesh made = tri_mesh_of(mesh);
+    MeshWriteOptions write = mesh->write;
+    write.label.reset();  // colors are of several labels
+    write_mesh(made, path, write);
     return true;
   });
 }
@@ -398,11 +416,14 @@ deliso_status deliso_render(const deliso_mesh* const* meshes, size_t count,
     if (count > 0) require(meshes, "meshes");
     std::vector<std::string> words{"render", text("--output=", path)};
     std::vector<TriMesh> drawn;
+    std::vector<MeshNotes> notes;
     for (size_t n = 0; n < count; ++n) {
       words.push_back(text("mesh ", n + 1));
       drawn.push_back(tri_mesh_of(meshes[n]));
+      notes.push_back(meshes[n]->notes);
+      if (notes.back().sides.empty()) notes.back().sides = meshes[n]->write.sides;
     }
-    draw(drawn, parse(std::move(words), options, Reads::now));
+    draw(drawn, notes, parse(std::move(words), options, Reads::now));
     return true;
   });
 }
@@ -426,11 +447,12 @@ deliso_status deliso_check(const deliso_mesh* mesh, const deliso_volume* volume,
     require(mesh, "mesh");
     require(volume, "volume");
     const CommandLine line = line_of({"check", "mesh"}, *volume, isovalue, options);
-    const Input input = deliso::input_of(source_of(*volume, line), line);
+    Input input = deliso::input_of(source_of(*volume, line), line);
+    turn_to(mesh->space, input);
     WatchedProgress progress({{"check", 1}}, watch);
     const CheckRun run =
-        check_mesh_in_world(tri_mesh_of(mesh), {{mesh->write.comment}, mesh->rounding}, line, input,
-                            [&](double share) { progress.show("check", share); });
+        check_mesh_in_world(tri_mesh_of(mesh), {{mesh->write.comment}, mesh->notes.rounding}, line,
+                            input, [&](double share) { progress.show("check", share); });
     if (json) *json = copied(run.json);
     return !run.verification.faults.any();
   });

@@ -170,6 +170,7 @@ typedef struct deliso_mesh_data {
   int single_precision; /* 1 with the option "float", else 0 */
   const int32_t* sides; /* of deliso_mesh_sides(), two for each triangle; null if there are none */
   const char* names;    /* beside sides: lines "label name", of the segments that have a name */
+  int32_t color;        /* of a label's segment: 0x1rrggbb, or 0 if it has none */
 } deliso_mesh_data;
 
 /* Fills in `data`. The mesh owns the arrays and texts. */

@@ -7,6 +7,7 @@
 
 #include "base/elementary.h"
 #include "base/parallel.h"
+#include "base/sorted_list.h"
 #include "base/triangle.h"
 
 namespace deliso {
@@ -151,6 +152,24 @@ ClosePlaces find_close_places(const std::vector<Vec3>& points, std::span<const T
                               std::span<const EdgeUse> uses, const VertexGrids& grids,
                               const Volume& volume, int threads) {
   return ClosePlaceSearch(points, triangles, grids, volume, threads).run(uses);
+}
+
+std::size_t count_at_caps(const ClosePlaces& found, std::span<const Triangle> triangles,
+                          const std::vector<bool>& is_cap) {
+  std::vector<VertexId> of_surface;
+  for (FaceId f = 0; f < triangles.size(); ++f) {
+    if (!is_cap[f]) of_surface.insert(of_surface.end(), triangles[f].begin(), triangles[f].end());
+  }
+  sort_unique(of_surface);
+  const auto is_of_cap = [&](FaceId f) { return bool{is_cap[f]}; };
+  return static_cast<std::size_t>(
+      std::ranges::count_if(found.needles, is_of_cap) +
+      std::ranges::count_if(
+          found.folds,
+          [&](const auto& fold) { return is_cap[fold.first] || is_cap[fold.second]; }) +
+      std::ranges::count_if(found.near, [&](const auto& near) {
+        return is_cap[near.second] || !std::ranges::binary_search(of_surface, near.first);
+      }));
 }
 
 }  // namespace deliso

@@ -46,4 +46,9 @@ ClosePlaces find_close_places(const std::vector<Vec3>& points, std::span<const T
                               std::span<const EdgeUse> uses, const VertexGrids& grids,
                               const Volume& volume, int threads = 1);
 
+// Returns how many of the places of a solid have a part in its caps: a triangle that is one, or a
+// vertex of caps alone. `is_cap`: per triangle.
+std::size_t count_at_caps(const ClosePlaces& found, std::span<const Triangle> triangles,
+                          const std::vector<bool>& is_cap);
+
 }  // namespace deliso

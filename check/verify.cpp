@@ -440,6 +440,12 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
     for (const auto& [f, g] : intersections) {
       result.solid->self_intersections += is_cap[f] || is_cap[g];
     }
+    std::vector<bool> is_whole_cap;
+    for (const FaceId id : whole.id) is_whole_cap.push_back(is_cap[id]);
+    const VertexGrids whole_grids(whole.points, whole.triangles);
+    result.solid->close_places = count_at_caps(
+        find_close_places(whole.points, whole.triangles, whole.uses, whole_grids, volume, threads),
+        whole.triangles, is_whole_cap);
   } else {
     result.quality = measure_quality(mesh, options.limits[Criterion::r_over_l], r_min);
   }

@@ -62,6 +62,7 @@ struct SolidSummary {
   std::size_t self_intersections = 0;  // pairs of triangles with at least one of the caps
   double off_box = 0;                  // the largest distance of a cap's corner from the box
   MeshQuality quality;                 // of the caps
+  std::size_t close_places = 0;        // count_at_caps(): no faults
 };
 
 struct Verification {

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Do the tests of a primitive find a wrong one? Each patch here is a mutant: one wrong line of the code. Its
-# head says what is wrong, whose tests must find it ("Tests: ROOM"), and, where that cannot be, why
-# ("Equivalent:", no test can; "Waits:", not yet). A mutant is made in a copy of src/: its room is
+# head says what is wrong, whose tests must find it ("Tests: ROOM", a folder of tests/), and, where that cannot be, why
+# ("Equivalent:", no test can; "Waits:", not yet). A mutant is made in a copy of src/ and more/: its room is
 # compiled as one file and linked before the library, so that nothing else is built again.
 # Prints a line per mutant. Exit status 1: one survived, is no longer equivalent or no longer waits.
 # Usage: run.sh --check                 all patches apply, and their heads are right
@@ -33,11 +33,13 @@ if [ "$1" != --one ]; then
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT
   trap 'exit 130' INT TERM
+  mkdir "$work/outcomes"
   doctest=$(sed -n 's/^DOCTEST_INCLUDE_DIR:PATH=//p' "$build/CMakeCache.txt")
   [ -d "$doctest" ] || doctest=$build/_deps/doctest_upstream-src
-  compile="${CXX:-c++} -std=c++20 -O1 -w -ffp-contract=off -I$source -I$build/generated -I$source/tests -idirafter $doctest"
-  export build work compile
-  $compile "-I$source/src" -c "$source/tests/main.cpp" -o "$work/main.o"
+  compile="${CXX:-c++} -std=c++20 -O1 -w -ffp-contract=off"
+  includes="-I$source/src -I$source -I$build/generated -I$source/tests -idirafter $doctest"
+  export build work compile includes
+  $compile $includes -c "$source/tests/main.cpp" -o "$work/main.o"
   status=0
   rooms=$(for name in $(all_patches); do head_of "$name" Tests; done | sort -u)
   for room in ${*:-$rooms}; do
@@ -46,7 +48,7 @@ if [ "$1" != --one ]; then
     # The tests themselves, which must pass on the code as it is; three times as long is too long.
     mkdir -p "$work/$room"
     for file in "$source/tests/$room"/test_*.cpp; do echo "#include \"$file\""; done >"$work/$room/tests.cpp"
-    $compile "-I$source/src" -c "$work/$room/tests.cpp" -o "$work/$room/tests.o"
+    $compile $includes -c "$work/$room/tests.cpp" -o "$work/$room/tests.o"
     ${CXX:-c++} "$work/$room/tests.o" "$work/main.o" "$build/libdeliso.a" -pthread -o "$work/$room/tests"
     started=$(date +%s)
     "$work/$room/tests" >"$work/$room/log" || { tail -n 20 "$work/$room/log"; echo "$room: its tests fail"; exit 2; }
@@ -55,9 +57,9 @@ if [ "$1" != --one ]; then
   done
   echo
   for word in caught equivalent waits survived 'no longer' 'not compiled'; do
-    printf '%-14s %s\n' "$word" "$(cat "$work"/*/*.outcome | grep -c "^$word" || true)"
+    printf '%-14s %s\n' "$word" "$(cat "$work"/outcomes/* | grep -c "^$word" || true)"
   done
-  grep -hv '^caught\|^equivalent\|^waits' "$work"/*/*.outcome || [ "$status" = 0 ] || exit 2
+  grep -hv '^caught\|^equivalent\|^waits' "$work"/outcomes/* || [ "$status" = 0 ] || exit 2
   exit "$status"
 fi
 
@@ -65,7 +67,7 @@ fi
 name=$2 room=$3
 at=$work/$room/$name
 mkdir "$at"
-cp -r "$source/src" "$at/src"
+cp -r "$source/src" "$source/more" "$at"
 apply "$name" "$at"
 files=$(sed -n 's|^+++ b/||p' "$here/$name.patch")
 for folder in $(for file in $files; do dirname "$file"; done | sort -u); do
@@ -73,7 +75,7 @@ for folder in $(for file in $files; do dirname "$file"; done | sort -u); do
 done >"$at/room.cpp"
 tests=$work/$room/tests.o
 outcome=
-compile="$compile -I$at/src"
+compile="$compile -I$at/src -I$at $includes"
 if $compile -c "$at/room.cpp" -o "$at/room.o" 2>"$at/log" &&
   case $files in
     *.h)
@@ -106,5 +108,5 @@ else
 fi
 rm -rf "$at"
 printf '%-10s %-11s %s\n' "$name" "$room" "$outcome"
-echo "$outcome ($name)" >"$work/$room/$name.outcome"
+echo "$outcome ($name)" >"$work/outcomes/$name"
 case $outcome in caught* | equivalent | waits) ;; *) exit 1 ;; esac

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "base/text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/field_reader.h"
 #include "io/mesh/write_mesh.h"
@@ -35,6 +36,10 @@ class WorldMesh {
   }
   // Returns the text after the program's name; empty if the space is unknown.
   std::string space_note() const { return space().empty() ? "" : " SPACE=" + std::string(space()); }
+  // Returns the two as a comment between these strings, for formats that open otherwise.
+  std::string space_line(std::string_view before, std::string_view after) const {
+    return space().empty() ? "" : text(before, "DelIso", space_note(), after);
+  }
   // True if no facet has an edge on a boundary.
   bool is_closed() const;
   Triangle triangle(std::size_t f) const {
@@ -92,6 +97,13 @@ inline constexpr std::uint32_t kGlbMagic = 0x46546c67, kGlbJson = 0x4e4f534a,
                                kGlbBinary = 0x004e4942;
 
 inline constexpr double kMeters = 0.001;  // of a millimeter
+
+// Returns a share of a color of glTF, which is linear, from one of sRGB. The polynomial is within
+// 0.002 of sRGB's curve, and the same on every machine.
+inline float linear_of(std::uint8_t srgb) {
+  const double x = srgb / 255.0;
+  return static_cast<float>(x * (x * (x * 0.305306011 + 0.682171111) + 0.012522878));
+}
 
 // Returns the point that coordinates in glTF are relative to: the middle of the mesh, as floats.
 Vec3 glb_origin(const WorldMesh& mesh);

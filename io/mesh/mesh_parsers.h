@@ -2,6 +2,7 @@
 // The parsers of read_mesh, one per format, and their common functions.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -85,7 +86,11 @@ struct MeshParts {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   std::vector<std::string> comments;
-  double rounding = 0;  // as of MeshNotes
+  double rounding = 0;                               // as of MeshNotes
+  AnatomicalSpace space = AnatomicalSpace::unknown;  // if it is not in a comment
+
+  std::vector<std::array<std::uint8_t, 3>> colors{};  // as of MeshNotes
+  std::vector<std::array<std::int32_t, 2>> sides{};
 
   // Adds the triangles of a polygon by rule R1. pre: three corners or more.
   void add_polygon(const std::vector<VertexId>& corners) {
@@ -94,6 +99,9 @@ struct MeshParts {
     }
   }
 };
+
+// The color of what has none in a file with colors.
+inline constexpr std::array<std::uint8_t, 3> kNoColor{204, 204, 204};
 
 // Limits: vertices that have ids, and facets for link_faces.
 inline constexpr std::uint64_t kMostVertices = kNoId - 1;

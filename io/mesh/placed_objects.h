@@ -38,6 +38,11 @@ class PlacedObjects {
     grow(sizeof to_world + memory_of(object.points.size(), object.triangles.size()));
     const std::size_t first = mesh.points.size();
     for (const Vec3& p : object.points) mesh.points.push_back(to_world(p));
+    if (!object.colors.empty() || !mesh.colors.empty()) {
+      mesh.colors.resize(mesh.triangles.size(), kNoColor);
+      mesh.colors.insert(mesh.colors.end(), object.colors.begin(), object.colors.end());
+      mesh.colors.resize(mesh.triangles.size() + object.triangles.size(), kNoColor);
+    }
     const bool mirrors = to_world.mirrors();
     for (const Triangle& t : object.triangles) {
       const auto corner = [&](int n) { return VertexId(first + std::size_t{t[n]}); };

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // 3MF (write_3mf.cpp): the triangles of all objects that are to be built, where they are placed, in
-// millimeters. Colors, and the extensions for slices and beams, are skipped.
+// millimeters. Of colors those of objects are read; the extensions for slices and beams are
+// skipped.
+#include <algorithm>
+#include <charconv>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -37,6 +41,7 @@ class ThreeMfParser {
 
  private:
   using Place = std::pair<std::string, AffineMap>;  // of the object with this id
+  using Color = std::array<std::uint8_t, 3>;
   struct Object {
     MeshParts mesh;
     std::vector<Place> components;
@@ -60,6 +65,8 @@ class ThreeMfParser {
 
   void read_model(std::string_view xml, std::vector<std::string_view>& comments) {
     Object* object = nullptr;
+    std::vector<Color>* material = nullptr;
+    std::optional<Color> color;  // of the object
     bool whole = false;
     std::vector<std::string_view>* head = &comments;
     XmlTag tag = next_tag(xml, 0, head);
@@ -74,8 +81,14 @@ class ThreeMfParser {
         object = &objects_[std::string(tag.attribute("id").value_or(""))];
         if (!object->mesh.points.empty() || !object->components.empty())
           fail("has two objects of one id");
+        color = color_of(tag);
       } else if (tag.name == "/object" && object) {
+        if (color) object->mesh.colors.assign(object->mesh.triangles.size(), *color);
         object = nullptr;
+      } else if (tag.name == "basematerials") {
+        material = &materials_[std::string(tag.attribute("id").value_or(""))];
+      } else if (tag.name == "base" && material) {
+        material->push_back(color_in(tag.attribute("displaycolor").value_or("")));
       } else if (tag.name == "component" && object) {
         object->components.push_back(place_in(tag));
       } else if (tag.name == "item") {
@@ -91,6 +104,25 @@ class ThreeMfParser {
       }
     }
     if (!whole) fail("its model ends before </model>");
+  }
+
+  // Returns the color in "#RRGGBB", whatever follows.
+  static Color color_in(std::string_view text) {
+    Color color = kNoColor;
+    for (std::size_t n = 0; n < color.size() && text.starts_with('#'); ++n) {
+      const std::string_view digits = text.substr(std::min(1 + 2 * n, text.size())).substr(0, 2);
+      std::uint8_t byte = 0;
+      if (std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16).ec == std::errc())
+        color[n] = byte;
+    }
+    return color;
+  }
+  // Returns the color that an object names.
+  std::optional<Color> color_of(const XmlTag& object) const {
+    const auto colors = materials_.find(std::string(object.attribute("pid").value_or("")));
+    const auto n = number_in<std::size_t>(object.attribute("pindex").value_or(""));
+    if (colors == materials_.end() || !n || *n >= colors->second.size()) return std::nullopt;
+    return colors->second[*n];
   }
 
   double real(const XmlTag& tag, std::string_view key) const {
@@ -137,6 +169,7 @@ class ThreeMfParser {
   const std::string& name_;
   ZipArchive archive_;
   std::map<std::string, Object> objects_;
+  std::map<std::string, std::vector<Color>> materials_;  // the colors of each list
   std::vector<Place> build_;
   double unit_ = 1;
   PlacedObjects placed_;

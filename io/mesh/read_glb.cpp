@@ -69,6 +69,7 @@ class GlbParser {
     for (Vec3& p : mesh.points) p = p / unit;
     mesh.rounding = std::numeric_limits<float>::epsilon() * extent_ / unit;
     keep_comment(extras["comment"].string, mesh.comments);
+    mesh.space = space_named(extras["SPACE"].string);
     return mesh;
   }
 
@@ -177,6 +178,21 @@ class GlbParser {
       }
       mesh.triangles.push_back(t);
     }
+    mesh.colors.resize(mesh.triangles.size(), color_of(primitive));
+  }
+
+  std::array<std::uint8_t, 3> color_of(const JsonValue& primitive) const {
+    std::array<std::uint8_t, 3> color = kNoColor;
+    if (primitive["material"].is_null()) return color;
+    const JsonValue& material = item("materials", count(primitive, "material"));
+    const JsonValue& shares = material["pbrMetallicRoughness"]["baseColorFactor"];
+    for (std::size_t n = 0; n < color.size() && n < shares.items.size(); ++n) {
+      // The first that is not darker: the curve rises.
+      const auto share = static_cast<float>(shares.items[n].number);
+      color[n] = 0;
+      while (color[n] < 255 && linear_of(color[n]) < share) ++color[n];
+    }
+    return color;
   }
 
   // Places the meshes of a node and of those below it.

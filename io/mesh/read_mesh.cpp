@@ -36,6 +36,17 @@ void require_in_range(const std::vector<Vec3>& points, const std::string& name, 
   }
 }
 
+// Returns the space that comments name as those of write_mesh do, and of 3D Slicer.
+AnatomicalSpace space_in(const std::vector<std::string>& comments) {
+  constexpr std::string_view kMark = "SPACE=";
+  for (const std::string_view comment : comments) {
+    for (const std::string_view word : words_of(comment)) {
+      if (word.starts_with(kMark)) return space_named(word.substr(kMark.size()));
+    }
+  }
+  return AnatomicalSpace::unknown;
+}
+
 // In the order of MeshFormat.
 constexpr MeshParser* kParsers[] = {parse_ply, parse_off, parse_obj, parse_stl,
                                     parse_vtp, parse_glb, parse_3mf};
@@ -66,8 +77,14 @@ TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string&
     fail(quoted, "more vertices or facets than 32-bit ids can name");
   }
   require_in_range(parts.points, quoted, format == MeshFormat::obj ? 1 : 0);
-  if (notes) *notes = {std::move(parts.comments), parts.rounding};
-  return make_tri_mesh(std::move(parts.points), parts.triangles);
+  TriMesh mesh = make_tri_mesh(std::move(parts.points), parts.triangles);
+  const bool by_comment = parts.space == AnatomicalSpace::unknown;
+  mesh.frame.space = by_comment ? space_in(parts.comments) : parts.space;
+  if (notes) {
+    *notes = {std::move(parts.comments), parts.rounding, std::move(parts.colors),
+              std::move(parts.sides)};
+  }
+  return mesh;
 }
 
 TriMesh read_mesh(const std::string& path, MeshNotes* notes) {

@@ -4,7 +4,8 @@
 // but LZ4 and LZMA. Objects of a file are one mesh.
 //
 //   R1  Polygons are cut into triangles, in a fan from the first corner.
-//   R2  Colors, normals, textures, groups and further elements are skipped.
+//   R2  Normals, textures, groups and further elements are skipped, and colors but for those that
+//       write_mesh gives labels.
 //   R3  Facets stay as they are, even with equal corners or edges of three facets; check_mesh
 //       reports them.
 //   R4  Any bytes give a mesh or an InputError. In a mesh, corners are below the vertex count and
@@ -19,6 +20,7 @@
 //       occurrence. Normals are not read.
 //   R7  Of VTP and glTF, polygons are read; vertices and lines are skipped, triangle strips are
 //       refused. Data of glTF must be in the file itself, and not in a compression of an extension.
+//   R8  The patient's space that the file names as write_mesh does is the frame's.
 #pragma once
 
 #include <string>
@@ -37,6 +39,10 @@ struct MeshNotes {
   // The largest distance by which rounding to float may have moved a vertex about a point that is
   // not the origin (glTF). 0: coordinates are as the file has them.
   double rounding = 0;
+  // Of each facet, or empty: the color (sRGB) that VTP, glTF and 3MF give it, or its object; and
+  // the labels in front of it and behind, as write_mesh has them in PLY and VTP.
+  std::vector<std::array<std::uint8_t, 3>> colors{};
+  std::vector<std::array<std::int32_t, 2>> sides{};
 };
 
 // Returns the mesh in the file at `path`, with linked facets (link_faces). The path's ending

@@ -226,10 +226,20 @@ void read_faces(Source& source, const Element& element, std::uint64_t vertices, 
       !is_integer(element.properties[indices].type)) {
     source.fail("facets have no integer list vertex_indices");
   }
+  const std::array labels{element.index_of("label_front"), element.index_of("label_behind")};
+  const bool has_labels = std::ranges::all_of(labels, [&](std::size_t i) {
+    return i != kNoId && !element.properties[i].is_list &&
+           element.properties[i].type == SampleType::i32;
+  });
+  std::array<std::int32_t, 2> sides{};
   std::vector<VertexId> corners;
   for (std::uint64_t f = 0; f < element.count; ++f) {
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const Property& property = element.properties[i];
+      if (has_labels && (i == labels[0] || i == labels[1])) {
+        sides[i == labels[1]] = static_cast<std::int32_t>(source.next(property.type));
+        continue;
+      }
       if (i != indices) {
         skip_property(source, property);
         continue;
@@ -247,6 +257,7 @@ void read_faces(Source& source, const Element& element, std::uint64_t vertices, 
       }
       mesh.add_polygon(corners);
     }
+    if (has_labels) mesh.sides.resize(mesh.triangles.size(), sides);
   }
 }
 

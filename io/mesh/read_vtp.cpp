@@ -29,6 +29,8 @@ class VtpParser {
     read_structure();
     read_points(mesh);
     read_polygons(mesh);
+    read_values(mesh);
+    mesh.space = space();
     return mesh;
   }
 
@@ -44,6 +46,8 @@ class VtpParser {
         if (++pieces > 1) fail("has several pieces: only one is supported");
         points_ = xml_.count(tag, "NumberOfPoints", 0);
         polygons_ = xml_.count(tag, "NumberOfPolys", 0);
+        has_other_cells_ =
+            xml_.count(tag, "NumberOfVerts", 0) > 0 || xml_.count(tag, "NumberOfLines", 0) > 0;
         if (xml_.count(tag, "NumberOfStrips", 0) != 0)
           fail("has triangle strips, which are not supported");
         if (points_ > kMostVertices) fail(points_, " points are too many");
@@ -52,11 +56,17 @@ class VtpParser {
         whole = true;
       } else if (std::ranges::find(kSections, tag.name) != std::end(kSections)) {
         inside = tag.name;
+      } else if (tag.name == "Array" && tag.attribute("Name") == "SPACE") {
+        space_ = tag;
       } else if (tag.name == "DataArray" && inside == "Points") {
         coordinates_ = tag;
       } else if (tag.name == "DataArray" && inside == "Polys") {
         if (tag.attribute("Name") == "offsets") offsets_ = tag;
         if (tag.attribute("Name") == "connectivity") connectivity_ = tag;
+      } else if (tag.name == "DataArray" && inside == "CellData") {
+        if (tag.attribute("Name") == "color") colors_ = tag;
+        if (tag.attribute("Name") == "label_front") fronts_ = tag;
+        if (tag.attribute("Name") == "label_behind") behinds_ = tag;
       }
     }
     if (!whole) fail("ends before </PolyData>");
@@ -76,7 +86,26 @@ class VtpParser {
                      });
   }
 
-  void read_polygons(MeshParts& mesh) const {
+  // Returns the space in the field data: a text, as character codes that end with 0.
+  AnatomicalSpace space() const {
+    constexpr std::size_t kCodes = 4;
+    std::string name;
+    if (space_.name.empty()) return AnatomicalSpace::unknown;
+    if (xml_.is_text(space_)) {
+      for (const std::string_view word : words_of(xml_.inside(space_).text())) {
+        name += static_cast<char>(to_int(word).value_or(0));
+      }
+    } else {
+      try {
+        name = xml_.binary(space_, kCodes, "the space").text();
+      } catch (const InputError&) {
+        return AnatomicalSpace::unknown;  // some other text
+      }
+    }
+    return space_named(name.c_str());
+  }
+
+  void read_polygons(MeshParts& mesh) {
     if (polygons_ == 0) return;
     std::vector<std::uint64_t> ends;
     std::uint64_t last = 0;
@@ -99,8 +128,44 @@ class VtpParser {
           if (++n < ends[polygon]) return;
           mesh.add_polygon(corners);
           corners.clear();
+          triangle_ends_.push_back(mesh.triangles.size());
           ++polygon;
         });
+  }
+
+  // Reads the values that write_mesh gives polygons, if they have its types.
+  void read_values(MeshParts& mesh) const {
+    const auto is_of = [&](const XmlTag& array, std::string_view type, std::uint64_t components) {
+      return array.attribute("type") == type &&
+             xml_.count(array, "NumberOfComponents", 1) == components;
+    };
+    if (polygons_ == 0 || has_other_cells_) return;
+    // Calls put(triangle, component, value) for the triangles of each polygon.
+    const auto for_each_triangle = [&](const XmlTag& array, std::size_t components, auto put) {
+      std::size_t n = 0;
+      for_each<std::int64_t>(array, components * polygons_, "the values of polygons",
+                             [&](std::int64_t value) {
+                               const std::size_t polygon = n / components;
+                               std::size_t t = polygon == 0 ? 0 : triangle_ends_[polygon - 1];
+                               for (; t < triangle_ends_[polygon]; ++t)
+                                 put(t, n % components, value);
+                               ++n;
+                             });
+    };
+    if (is_of(colors_, "UInt8", 3)) {
+      mesh.colors.resize(mesh.triangles.size());
+      for_each_triangle(colors_, 3, [&](std::size_t t, std::size_t n, std::int64_t byte) {
+        mesh.colors[t][n] = static_cast<std::uint8_t>(byte);
+      });
+    }
+    if (!is_of(fronts_, "Int32", 1) || !is_of(behinds_, "Int32", 1)) return;
+    mesh.sides.resize(mesh.triangles.size());
+    for (const std::size_t side : {0, 1}) {
+      for_each_triangle(side == 0 ? fronts_ : behinds_, 1,
+                        [&](std::size_t t, std::size_t, std::int64_t label) {
+                          mesh.sides[t][side] = static_cast<std::int32_t>(label);
+                        });
+    }
   }
 
   // Calls take(value) for each of an array's `count` values. `what`: their use, for messages.
@@ -152,7 +217,9 @@ class VtpParser {
   Bytes bytes_;
   VtkXml xml_;
   std::uint64_t points_ = 0, polygons_ = 0;
-  XmlTag coordinates_, connectivity_, offsets_;
+  bool has_other_cells_ = false;            // before the polygons, in the arrays of cells
+  std::vector<std::size_t> triangle_ends_;  // of each polygon
+  XmlTag coordinates_, connectivity_, offsets_, space_, colors_, fronts_, behinds_;
 };
 
 }  // namespace

@@ -199,6 +199,7 @@ void write_3mf(AtomicFile& out, std::span<const WorldMesh> objects) {
   zip.end();
   zip.begin("3D/3dmodel.model");
   zip.write(kXml);
+  zip.write(objects.front().space_line("<!-- ", " -->\n"));
   zip.write(objects.front().comment_line("<!-- ", " -->\n"));
   zip.write(
       R"(<model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">

@@ -100,13 +100,10 @@ std::string material_json(std::string_view name, const std::string& color) {
               R"("baseColorFactor":[)", color, R"(,1],"metallicFactor":0,"roughnessFactor":0.8}})");
 }
 
-// Returns a color of glTF, which is linear. The polynomial is within 0.002 of sRGB's curve, and the
-// same on every machine.
 std::string linear_color(const std::array<std::uint8_t, 3>& srgb) {
   std::string color;
   for (const std::uint8_t byte : srgb) {
-    const double x = byte / 255.0, y = x * (x * (x * 0.305306011 + 0.682171111) + 0.012522878);
-    color += text(color.empty() ? "" : ",", static_cast<float>(y));
+    color += text(color.empty() ? "" : ",", linear_of(byte));
   }
   return color;
 }

@@ -109,9 +109,9 @@ struct WrittenMesh {
 };
 WrittenMesh written_mesh(const TriMesh& mesh, const MeshWriteOptions& options);
 
-// Writes the mesh in world coordinates. A known space is written as SPACE=RAS or LPS, in VTP as
-// field data for 3D Slicer, in OFF and 3MF not at all. Throws InputError on an unknown ending and
-// on every fault of the file system.
+// Writes the mesh in world coordinates. A known space is written as SPACE=RAS or LPS in a
+// comment, in VTP as field data for 3D Slicer. Throws InputError on an unknown ending and on every
+// fault of the file system.
 void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOptions& options = {});
 
 // An object of a file of several. All have attributes, or none; likewise labels, caps, and

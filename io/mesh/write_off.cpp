@@ -6,7 +6,7 @@ namespace deliso {
 
 void write_off(AtomicFile& out, std::span<const WorldMesh> objects) {
   const WorldMesh& mesh = objects.front();
-  out.write("OFF\n" + mesh.comment_line("# ", "\n"));
+  out.write("OFF\n" + mesh.space_line("# ", "\n") + mesh.comment_line("# ", "\n"));
   put_text(out, mesh.vertex_count(), ' ');
   put_text(out, mesh.face_count(), ' ');
   out.write("0\n");  // the number of edges, which readers ignore

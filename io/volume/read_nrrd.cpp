@@ -186,6 +186,18 @@ void read_geometry(const VolumeInput& input, const NrrdHeader& header,
   }
 }
 
+// Returns the color in three shares of red, green and blue.
+std::optional<std::array<std::uint8_t, 3>> color_in(std::string_view shares) {
+  const auto numbers = to_doubles(shares);
+  if (!numbers || numbers->size() != 3) return std::nullopt;
+  std::array<std::uint8_t, 3> color{};
+  for (std::size_t n = 0; n < color.size(); ++n) {
+    if (!((*numbers)[n] >= 0 && (*numbers)[n] <= 1)) return std::nullopt;
+    color[n] = static_cast<std::uint8_t>(255 * (*numbers)[n] + 0.5);
+  }
+  return color;
+}
+
 // Returns the segments of a segmentation as Slicer saves it. In files before its version 4.11 each
 // has a layer of its own, with the label 1.
 std::vector<NamedSegment> segments_of(const NrrdHeader& header) {
@@ -198,8 +210,9 @@ std::vector<NamedSegment> segments_of(const NrrdHeader& header) {
       const auto found = header.keys.find(start + key);
       return found == header.keys.end() ? fallback : to_int(found->second).value_or(fallback);
     };
-    segments.push_back(
-        {std::string(name->second), number("LabelValue", 1), number("Layer", n) + 1});
+    const auto color = header.keys.find(start + "Color");
+    segments.push_back({std::string(name->second), number("LabelValue", 1), number("Layer", n) + 1,
+                        color == header.keys.end() ? std::nullopt : color_in(color->second)});
   }
 }
 

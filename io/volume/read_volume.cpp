@@ -55,6 +55,26 @@ Volume read_recognized(const VolumeInput& input) {
   refuse_file(input.bytes);
 }
 
+Volume read_as_stored(const std::string& input, const ReadOptions& options, ReadLog& log) {
+  if (input.starts_with("builtin:")) {
+    refuse_array(input, options);
+    refuse_series(input, options);
+    choose_volume(input, options, {});
+    return make_builtin_volume(input, options);
+  }
+  const std::size_t slash = input.rfind('/');
+  const std::string directory = slash == std::string::npos ? "" : input.substr(0, slash + 1);
+  if (input == "-") return read_recognized({read_standard_input(), directory, options, log});
+  std::error_code ignored;
+  if (std::filesystem::is_directory(input, ignored)) {
+    if (options.raw) refuse_folder(input);
+    refuse_array(input, options);
+    return read_folder({{input, {}, nullptr}, directory, options, log});
+  }
+  log.files.push_back(state_of(input));
+  return read_recognized({open_file(input), directory, options, log});
+}
+
 [[noreturn]] void fail_option(std::string_view text, const char* wanted) {
   throw InputError(quote(text), " is not ", wanted);
 }
@@ -71,23 +91,11 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
   ReadLog own_log;
   ReadLog& filled = log ? *log : own_log;
   try {
-    if (input.starts_with("builtin:")) {
-      refuse_array(input, options);
-      refuse_series(input, options);
-      choose_volume(input, options, {});
-      return make_builtin_volume(input, options);
-    }
-    const std::size_t slash = input.rfind('/');
-    const std::string directory = slash == std::string::npos ? "" : input.substr(0, slash + 1);
-    if (input == "-") return read_recognized({read_standard_input(), directory, options, filled});
-    std::error_code ignored;
-    if (std::filesystem::is_directory(input, ignored)) {
-      if (options.raw) refuse_folder(input);
-      refuse_array(input, options);
-      return read_folder({{input, {}, nullptr}, directory, options, filled});
-    }
-    filled.files.push_back(state_of(input));
-    return read_recognized({open_file(input), directory, options, filled});
+    const Volume stored = read_as_stored(input, options, filled);
+    constexpr AnatomicalSpace unknown = AnatomicalSpace::unknown;
+    if (options.space != unknown && stored.frame().space == unknown)
+      fail(input, "names no patient's space, RAS or LPS, that --space could turn");
+    return stored.with_frame(stored.frame().in_space(options.space));
   } catch (const std::bad_alloc&) {
     fail(input, "not enough memory to read it");
   } catch (const std::length_error&) {

@@ -23,7 +23,8 @@
 //    float64.
 // 2. The content decides the format; the name decides only where the content cannot (MetaImage,
 //    .raw). A .nhdr or .mhd has its data beside it.
-// 3. Coordinates are those of the file, in its own unit and anatomical space. Frame::space has the
+// 3. Coordinates are those of the file, in its own unit and, unless the options turn them, its own
+//    anatomical space. Frame::space has the
 //    space: RAS+ for NIfTI, LPS+ for MetaImage and DICOM, the field "space" for NRRD. NIfTI's
 //    meters and micrometers become millimeters, which the unit is in these spaces.
 // 4. Refused with a message, never guessed:
@@ -84,6 +85,8 @@ struct ReadOptions {
   std::optional<std::uint64_t> series{};  // which of a DICOM folder's series, from 1 on
   // Along the file's axes, and of its first sample; else the file's own, or 1,1,1 and 0,0,0.
   std::optional<Vec3> spacing{}, origin{};
+  // The patient's space that the world is turned to; unknown: the file's own.
+  AnatomicalSpace space = AnatomicalSpace::unknown;
   // Which of several volumes in a file, counted from 1.
   std::optional<std::int64_t> channel{}, time{};
   ExpansionBudget budget{};
@@ -100,8 +103,9 @@ struct NamedArray {
 // A segment that a file names, as Slicer's .seg.nrrd does.
 struct NamedSegment {
   std::string name;
-  std::int64_t label = 1;    // of its samples
-  std::int64_t channel = 1;  // that has them
+  std::int64_t label = 1;                              // of its samples
+  std::int64_t channel = 1;                            // that has them
+  std::optional<std::array<std::uint8_t, 3>> color{};  // sRGB
 };
 
 // Facts about the reading, beside the volume.

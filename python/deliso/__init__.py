@@ -100,6 +100,7 @@ class _MeshData(ctypes.Structure):
         ("single_precision", ctypes.c_int),
         ("sides", ctypes.c_void_p),
         ("names", ctypes.c_char_p),
+        ("color", ctypes.c_int32),
     ]
 
 
@@ -219,12 +220,12 @@ class _Volume:
         """Takes the options about reading out of `options`."""
         self.handle = _VolumeHandle()
         if isinstance(source, (str, os.PathLike)):
-            if not direction is space is None:
-                raise Error("direction and space have no meaning for a file: it has its own")
+            if direction is not None:
+                raise Error("direction has no meaning for a file: it has its own")
             of_file = {name: options.pop(name) for name in _named.OF_FILES if name in options}
             if options.get("label") != "all":
                 of_file["label"] = options.get("label")  # a segment tells its channel
-            words = _options({**of_file, "spacing": spacing, "origin": origin})
+            words = _options({**of_file, "spacing": spacing, "origin": origin, "space": space})
             path, to = _path(source), ctypes.byref(self.handle)
             # Reading has no watch: after Ctrl-C it goes on, and what it has read is dropped.
             _watched(lambda _: _ok(_library.deliso_volume_read(path, words, to)), False, joins=False)
@@ -406,7 +407,7 @@ class Mesh:
 
     def __reduce__(self):
         others = ("report", "warnings", "comment", "name", "names", "space", "first_cap")
-        others += ("single_precision",)
+        others += ("single_precision", "color")
         remade = ("_handle", "_data", "vertices", "triangles", "normals")
         state = {name: value for name, value in vars(self).items() if name not in remade}
         return _from_data, (self._views(), {n: getattr(self._data, n) for n in others}), state
@@ -536,7 +537,8 @@ def mesh(
     origin     place of array[0, 0, 0]: x, y, z
     direction  matrix whose columns are the directions of x, y, z, as 3 x 3 or 9 numbers: that of
                SimpleITK's GetDirection()
-    space      "RAS" or "LPS" (SimpleITK's): which way x, y, z run in a patient
+    space      "RAS" or "LPS" (SimpleITK's): which way x, y, z run in a patient; the mesh of a file
+               is turned to it
     shared     with label="all": the labels are one mesh, as SharedLabels
     progress   True draws a line on standard error; a function is called with (stage, share)
     options    those of the program's mesh command (deliso mesh --help): max_distance="0.1vox",

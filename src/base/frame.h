@@ -31,6 +31,12 @@ enum class AnatomicalSpace : std::uint8_t { unknown, ras, lps };
 constexpr std::string_view short_name_of(AnatomicalSpace space) {
   return space == AnatomicalSpace::ras ? "RAS" : space == AnatomicalSpace::lps ? "LPS" : "";
 }
+// Returns the space with that short name; any other name is unknown.
+constexpr AnatomicalSpace space_named(std::string_view name) {
+  return name == "RAS"   ? AnatomicalSpace::ras
+         : name == "LPS" ? AnatomicalSpace::lps
+                         : AnatomicalSpace::unknown;
+}
 
 // Maps a point p of the scaled frame to the world: origin + p.x * axes[0] + p.y * axes[1] + p.z *
 // axes[2], with unit axes; from_world() is its inverse. If the axes are left-handed, writers
@@ -51,6 +57,14 @@ struct Frame {
     const Vec3 q = p - origin;
     return {dot(cross(v, w) / determinant, q), dot(cross(w, u) / determinant, q),
             dot(cross(u, v) / determinant, q)};
+  }
+  // Returns the frame in another space: half a turn about S. Itself if one of them is unknown.
+  Frame in_space(AnatomicalSpace other) const {
+    constexpr AnatomicalSpace unknown = AnatomicalSpace::unknown;
+    if (other == space || other == unknown || space == unknown) return *this;
+    // From 0, since -0 would be text with a sign.
+    const auto turned = [](const Vec3& p) { return Vec3{0 - p.x, 0 - p.y, p.z}; };
+    return {turned(origin), {turned(axes[0]), turned(axes[1]), turned(axes[2])}, other};
   }
   bool left_handed() const { return dot(cross(axes[0], axes[1]), axes[2]) < 0; }
 };

@@ -132,6 +132,13 @@ class Volume {
   Volume with_samples(SampleType type, const std::byte* bytes,
                       std::shared_ptr<const void> owner) const;
 
+  // Returns the same samples elsewhere in the world.
+  Volume with_frame(const Frame& frame) const {
+    Volume other = *this;
+    other.frame_ = frame;
+    return other;
+  }
+
   // Returns this volume as a block of a larger one: samples `first` and following of `whole`.
   // pre: it fits into `whole`, and frame() is that of the larger volume.
   Volume as_block(Index3 first, Index3 whole) const;

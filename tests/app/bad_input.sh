@@ -86,6 +86,8 @@ refuses 'float.nhdr: the sample' float.nhdr --label all -o out/part-%d.ply
 # shellcheck disable=SC2086
 {
   refuses "whole.raw: has no segment 'Liver': --label takes whole" whole.raw $raw --label Liver -o $o
+  refuses "whole.raw: names no patient's space, RAS or LPS, that --space could turn" \
+    whole.raw $raw --iso 1 --space RAS -o $o
   refuses 'no sample has label 7: its 1 labels are 0' whole.raw $raw --label 7 -o $o
   refuses 'has no label but 0' whole.raw $raw --label all -o out/part-%d.ply
   refuses 'no surface' whole.raw $raw --label 0 -o $o

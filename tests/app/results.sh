@@ -168,6 +168,35 @@ for name in turned mirrored; do
     holds "nor in $format" "$deliso" check $name.$format $name.nrrd --iso 150.3 -q --restricted 0.9
   done
 done
+# The mesh of --space has x and y of the other sign, and check and render know it by its header.
+for format in ply off obj stl vtp glb 3mf; do
+  "$deliso" turned.nrrd --iso 150.3 -q --space RAS -o ras.$format
+  holds "check turns the volume to the space of a .$format" \
+    "$deliso" check ras.$format turned.nrrd --iso 150.3 -q --restricted 0.9
+done
+"$deliso" turned.nrrd --iso 150.3 -q -o lps.obj
+holds "x and y have the other sign, to the last digit" [ "$(grep '^v' lps.obj)" = \
+  "$(awk '/^v/ { for (n = 2; n < 4; ++n) $n = $n ~ /^-/ ? substr($n, 2) : $n == 0 ? $n : "-" $n
+    print }' ras.obj)" ]
+holds "and triangles face the same side" [ "$(grep '^f' lps.obj)" = "$(grep '^f' ras.obj)" ]
+"$deliso" render ras.off --axes -q -o named.png
+sed 's/ SPACE=RAS//' ras.off >no-space.off
+"$deliso" render no-space.off --axes -q -o nameless.png
+status=0
+cmp -s named.png nameless.png || status=$?
+holds "render names the patient's directions" [ "$status" -eq 1 ]
+holds "a mesh that names none is where --space says" \
+  "$deliso" check no-space.off turned.nrrd --iso 150.3 -q --restricted 0.9 --space RAS
+"$deliso" render ras.ply --volume turned.nrrd --iso 150.3 --clip x:0.5 --section -q -o ras.png
+"$deliso" render no-space.off --volume turned.nrrd --space RAS --iso 150.3 --clip x:0.5 --section \
+  -q -o no-space.png
+holds "a section is where the mesh is" cmp ras.png no-space.png
+for n in 1 2; do
+  "$deliso" turned.nrrd --iso 150.3 -q --space RAS --block-side 4 --part $n/2 -o ras-$n.part
+done
+"$deliso" turned.nrrd --iso 150.3 -q --space RAS --block-side 4 -o ras.ply
+"$deliso" join ras-?.part --volume turned.nrrd -q -o joined.ply
+holds "parts are joined in their space" cmp ras.ply joined.ply
 holds "the mesh says whose x, y, z it has" grep -q -a -x 'comment DelIso SPACE=LPS' turned.ply
 holds "and by which criteria, in voxels of 1" \
   grep -q -a -x 'comment deliso [0-9.]* r-min=0.25 max-distance=0.1 lambda=2' turned.ply
@@ -366,6 +395,22 @@ holds "every name is said" [ "$(grep -c 'a?\[31m?EVIL' said)" -ge 10 ]
 holds "no escape is" [ "$(tr -d '\n' <said | grep -c '[[:cntrl:]]')" -eq 0 ]
 holds "no line of its own" [ "$(grep -c '^EVIL' said)" -eq 0 ]
 
+# A segment's own color is that of its object, and of its triangles in a picture.
+{
+  printf 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 4 4 4\nencoding: ascii\n'
+  printf 'Segment0_Name:=a\nSegment0_LabelValue:=1\nSegment0_Color:=1 0.5 0\n\n'
+  awk 'BEGIN { for (n = 0; n < 64; n++) print (n % 4 < 2) + 0 }'
+} >colored.seg.nrrd
+for more in '' '--shared colored.ply'; do
+  for format in glb 3mf; do
+    # shellcheck disable=SC2086
+    "$deliso" colored.seg.nrrd --label all --cap -q -o colored.$format $more
+    "$deliso" render colored.$format --color-by label --occlusion off --view 0,0 -q -o $format.png
+  done
+  holds "a segment's color in glTF" grep -a -q 'baseColorFactor":\[1,0.2167' colored.glb
+  holds "glTF and 3MF have one color" cmp glb.png 3mf.png
+done
+
 # Labels and gray images are told from each other, by one rule.
 printf '\0\0\0\0\377\377\377\377' >mask8.raw
 cat mask8.raw mask8.raw mask8.raw mask8.raw mask8.raw mask8.raw mask8.raw mask8.raw >mask64.raw
@@ -375,7 +420,7 @@ set -- mask.raw --dims 8x8x8 --type uint8
 holds "info proposes the label of a mask" grep -q '^try       --label 255       256 samples$' report
 holds "then its isovalue" grep -q '^or        --iso ' report
 holds "the JSON says so" grep -q '^  "looks_like_labels": true,$' info.json
-"$deliso" "$@" --label 255 -o mask.ply >stdout 2>stderr
+"$deliso" "$@" --label 255 --cap -o mask.ply >stdout 2>stderr
 holds "and --label is as it was" empty stderr
 "$deliso" info builtin:fuel --json info.json >report
 holds "info proposes isovalues of a gray image" grep -q '^try       --iso ' report

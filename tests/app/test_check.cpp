@@ -3,11 +3,14 @@
 // status.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
 #include "app/parsed_line.h"
 #include "app/run.h"
+#include "base/random.h"
 #include "io/files/json_value.h"
 #include "io/files/temporary_folder.h"
 
@@ -34,22 +37,44 @@ CheckOutcome outcome_of(const TemporaryFolder& folder, const std::string& argume
   return outcome;
 }
 
+// A walk of single voxels of 255 among zeros, as skeletons of masks are.
+std::string skeleton(const TemporaryFolder& folder) {
+  constexpr int kSkeletonSide = 10;
+  std::string samples(kSkeletonSide * kSkeletonSide * kSkeletonSide, '\0');
+  Random random(4);
+  std::array<int, 3> at{5, 5, 5};
+  for (int step = 0; step < 90; ++step) {
+    samples[static_cast<std::size_t>(at[0] + kSkeletonSide * (at[1] + kSkeletonSide * at[2]))] =
+        '\xff';
+    for (int& x : at)
+      x = std::clamp(x + static_cast<int>(random.below(3)) - 1, 1, kSkeletonSide - 2);
+  }
+  return folder.write("skeleton.raw", samples) + " --dims 10x10x10 --type uint8 --iso 127.5";
+}
+
 }  // namespace
 
 TEST_CASE("--check finds the faults that the check command finds in the file") {
   const TemporaryFolder folder;
-  const std::string file = folder / "mesh.ply";
   int with_fault = 0;
   struct Case {
     std::string volume, options, of_check;  // `of_check`: what the file does not say
+    std::string file = "mesh.ply";
   };
+  const std::string far = " --origin 3e6,5e6,100";
   for (const Case& c : {Case{"builtin:fuel:20", "", ""},
                         {"builtin:gyroid:16", " --cap", " --cap"},
                         {"builtin:five_spheres:24", " --largest 2", " --largest 2"},
                         {"builtin:torus:16", " --paper", ""},
                         // Of so few triangles most are over a limit.
-                        {"builtin:marschner_lobb:32", " --vertices 60", ""}}) {
+                        {"builtin:marschner_lobb:32", " --vertices 60", ""},
+
+                        {skeleton(folder), "", ""},
+                        // Rounded to halves of a voxel, or about the middle.
+                        {"builtin:fuel:20", far, far, "mesh.stl"},
+                        {"builtin:fuel:20", far, far, "mesh.glb"}}) {
     CAPTURE(c.volume);
+    const std::string file = folder / c.file;
     const CheckOutcome made = outcome_of(folder, c.volume + c.options + " --check -o " + file);
     const CheckOutcome checked = outcome_of(folder, "check " + file + " " + c.volume + c.of_check);
     CHECK(made.status == checked.status);
@@ -58,5 +83,29 @@ TEST_CASE("--check finds the faults that the check command finds in the file") {
     CHECK(made.kinds.empty() == (made.status == 0));
     with_fault += made.status != 0;
   }
-  CHECK(with_fault == 1);
+  CHECK(with_fault == 3);
+}
+
+TEST_CASE("caps that nearly touch are told of, and are no faults") {
+  const TemporaryFolder folder;
+  // Samples at the isovalue, on the box too: curves of the surface there run next to grid lines.
+  Random random(1);
+  std::string samples;
+  for (int n = 0; n < 4 * 5 * 6; ++n) samples += static_cast<char>(50 * random.below(3));
+  const std::string volume = folder.write("ties.raw", samples) + " --dims 4x5x6 --type uint8 --cap";
+  const std::string mesh = folder / "mesh.ply", file = folder / "report.json";
+  const auto report = [&](const std::string& arguments) {
+    const CommandLine line = parsed(arguments + " --quiet --json " + file);
+    line.command == Command::check ? run_check(line) : run_mesh(line);
+    return parse_json(file_bytes(file), file);
+  };
+  for (const bool ties : {true, false}) {
+    CAPTURE(ties);
+    const std::string at = volume + (ties ? " --iso 50" : " --iso 30");
+    const double made = report(at + " -o " + mesh)["mesh"]["cap_close_places"].number;
+    const JsonValue check = report("check " + mesh + " " + at)["check"];
+    CHECK(check["cap_close_places"].number == made);
+    CHECK(check["faults"]["near vertices"].is_null());
+    CHECK((made > 20) == ties);
+  }
 }

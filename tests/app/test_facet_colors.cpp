@@ -21,13 +21,14 @@ using Triangles = std::vector<Triangle>;
 
 namespace {
 
-FacetColors colors_of(std::span<const TriMesh> meshes, const std::string& more) {
+FacetColors colors_of(std::span<const TriMesh> meshes, const std::string& more,
+                      const std::vector<MeshNotes>& notes = {}) {
   std::string arguments = "render -o m.png";
   for (std::size_t n = 0; n < meshes.size(); ++n) arguments += " m.ply";
   const CommandLine line = test::parsed(arguments + more);
-  if (line.input.empty()) return color_facets(meshes, line, nullptr);
+  if (line.input.empty()) return color_facets(meshes, notes, line, nullptr);
   const Input input = read_input(line);
-  return color_facets(meshes, line, &input);
+  return color_facets(meshes, notes, line, &input);
 }
 
 }  // namespace
@@ -54,6 +55,23 @@ TEST_CASE("colors of a known mesh by side, component and angle") {
   CHECK(angles.bar->hi == 60);
   CHECK_FALSE(angles.bar->open);
   CHECK(angles.of_mesh[0] == std::vector<Rgb>{sequential_color(1), sequential_color(0.75)});
+}
+
+TEST_CASE("colors by label are those of the file, or of the label behind") {
+  const std::array meshes{
+      make_tri_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, Triangles{{0, 1, 2}, {0, 1, 3}})};
+  MeshNotes notes;
+  CHECK_THROWS_WITH_AS(
+      colors_of(meshes, " --color-by label", {notes}),
+      "--color-by label: 'm.ply' has no colors; a .glb, .3mf or .vtp of --label all has, and a "
+      ".ply or .vtp of --shared",
+      InputError);
+  notes.sides = {{2, 0}, {-3, 5}};
+  CHECK(colors_of(meshes, " --color-by label", {notes}).of_mesh.front() ==
+        std::vector<Rgb>{category_color(2), category_color(5)});
+  notes.colors = {{1, 2, 3}, {4, 5, 6}};
+  CHECK(colors_of(meshes, " --color-by label", {notes}).of_mesh.front() ==
+        std::vector<Rgb>{{1, 2, 3}, {4, 5, 6}});
 }
 
 TEST_CASE("colors by the volume: triangles that touch shells around a sphere") {

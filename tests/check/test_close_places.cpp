@@ -138,3 +138,17 @@ TEST_CASE("brute force finds the same near vertices, whatever the number of thre
   }
   CHECK(near > 0);
 }
+
+TEST_CASE("places of caps are those with a cap, or with a vertex of caps alone") {
+  const std::vector<Triangle> triangles{{0, 1, 2}, {2, 1, 3}, {3, 1, 4}, {4, 1, 5}};
+  const std::vector<bool> is_cap{false, false, true, true};
+  ClosePlaces found;
+  CHECK(count_at_caps(found, triangles, is_cap) == 0);
+  found.needles = {0, 2};
+  CHECK(count_at_caps(found, triangles, is_cap) == 1);
+  found.folds = {{0, 1}, {1, 2}, {2, 3}};
+  CHECK(count_at_caps(found, triangles, is_cap) == 3);
+  // Vertex 3 is of the surface too, 5 is not.
+  found.near = {{3, 0}, {0, 3}, {5, 0}};
+  CHECK(count_at_caps(found, triangles, is_cap) == 5);
+}

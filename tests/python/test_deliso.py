@@ -192,6 +192,7 @@ class TestMesh(TestCase):
             lambda: deliso.mesh(field() + 0.5, label="all"),
             lambda: deliso.mesh(self.path("none.nrrd"), 1),
             lambda: deliso.mesh("builtin:torus:16", direction=numpy.eye(3)),
+            lambda: deliso.mesh("builtin:torus:16", space="RAS"),
             lambda: deliso.read(self.path("none.ply")),
             lambda: deliso.render(m, self.path("picture.jpg")),
             lambda: deliso.render([], self.path("picture.png")),
@@ -284,6 +285,20 @@ class TestMesh(TestCase):
         pickle.loads(pickle.dumps(m)).save(self.path("m.ply"))
         with open(self.path("m.ply"), "rb") as file:
             self.assertIn(b"SPACE=LPS", file.read(200))
+        # Of a file it asks for a space, and a check knows that of the mesh.
+        with open(self.path("placed.nrrd"), "wb") as file:
+            file.write(b"NRRD0004\ntype: double\nendian: little\ndimension: 3\nspace: LPS\nsizes: ")
+            file.write("{2} {1} {0}\n".format(*field().shape).encode())
+            file.write(b"space directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\n\n")
+            file.write(field().astype("<f8").tobytes())
+        own = deliso.mesh(self.path("placed.nrrd"), 10.25)
+        turned = deliso.mesh(self.path("placed.nrrd"), 10.25, space="RAS")
+        self.assertTrue((turned.vertices == own.vertices * (-1, -1, 1)).all())
+        turned.save(self.path("turned.off"))
+        for made in (turned, deliso.read(self.path("turned.off"))):
+            report = deliso.check(made, self.path("placed.nrrd"), 10.25)
+            self.assertEqual(report["check"]["faults"], {})
+            self.assertEqual(report["volume"]["space"], "right-anterior-superior")
 
     def test_all_labels(self):
         labels = numpy.zeros((20, 24, 28), "u1")
@@ -299,7 +314,8 @@ class TestMesh(TestCase):
             self.assertEqual(m.report["volume"]["label"]["labels"], [label])
         with open(self.path("v.nrrd"), "wb") as file:
             file.write(b"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 28 24 20\nencoding: raw\n")
-            file.write(b"Segment0_Name:=Liver\nSegment0_LabelValue:=7\n\n" + labels.tobytes())
+            file.write(b"Segment0_Name:=Liver\nSegment0_LabelValue:=7\nSegment0_Color:=1 0.5 0\n\n")
+            file.write(labels.tobytes())
         liver = deliso.mesh(self.path("v.nrrd"), label="Liver")
         self.assertEqual(liver.vertices.tobytes(), made[7].vertices.tobytes())
         made = pickle.loads(pickle.dumps(deliso.mesh(self.path("v.nrrd"), label="all")))
@@ -311,6 +327,7 @@ class TestMesh(TestCase):
             subprocess.run(command, check=True)
             with open(self.path("all." + ending), "rb") as a, open(theirs, "rb") as b:
                 self.assertEqual(a.read(), b.read())
+        deliso.render(deliso.read(self.path("all.3mf")), self.path("all.png"), color_by="label")
 
     def test_shared_labels(self):
         labels = numpy.zeros((12, 14, 16), "u1")

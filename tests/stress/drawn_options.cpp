@@ -144,6 +144,10 @@ constexpr DrawnOption kDrawn[] = {
      kNoParts | kNotPaper | kNotShared, another_mesh},
     {"--threads", [](Random& r, auto&) { return Words{text("--threads=", 2 + r.below(3))}; }, 0,
      another_mesh},
+    // Not among those that are picked, so the other draws stay as they were.
+    {"--space",
+     [](Random& r, auto&) { return Words{text("--space=", r.below(2) > 0 ? "LPS" : "RAS")}; },
+     kPlace, another_mesh},
 };
 
 // Options about files, formats and reports; --iso is always given.
@@ -196,9 +200,13 @@ Draw draw_options(std::uint64_t seed, const OptionVolume& volume, const DrawnOpt
     if (drawn.empty()) return draw;
   }
   const std::size_t wanted = 1 + random.below(4);
-  while (drawn.size() < wanted) add(table[random.below(static_cast<std::uint32_t>(table.size()))]);
+  const auto is_place = [](const DrawnOption& option) { return (option.exempt & kPlace) != 0; };
+  const auto of_place = std::ranges::find_if(table, is_place);  // these are the last
+  const auto picked = static_cast<std::uint32_t>(of_place - table.begin());
+  while (drawn.size() < wanted) add(table[random.below(picked)]);
   for (const DrawnOption& option : table) {
     if ((option.exempt & kUsual) != 0 && random.below(4) > 0) add(option);
+    if (is_place(option) && random.below(2) > 0) add(option);
   }
   draw.first = drawn.front();
   return draw;

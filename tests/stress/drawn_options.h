@@ -59,6 +59,7 @@ enum Exemption : unsigned {
   kNotCertified = 1024,  // --certified excludes it
   kShared = 2048,
   kNotShared = 4096,  // --shared excludes it
+  kPlace = 8192,      // of the mesh in the world: drawn beside the others, for every second volume
 };
 
 struct DrawnOption {

@@ -185,9 +185,10 @@ inline void write_nrrd(const Volume& volume, const std::string& path) {
   const Vec3 s = volume.spacing();
   std::ofstream out(path, std::ios::binary);
   out.precision(17);
-  out << "NRRD0004\ntype: " << name_of(volume.type()) << "\ndimension: 3\nsizes: " << n.i << ' '
-      << n.j << ' ' << n.k << "\nspacings: " << s.x << ' ' << s.y << ' ' << s.z
-      << "\nendian: little\nencoding: raw\n\n";
+  out << "NRRD0004\ntype: " << name_of(volume.type())
+      << "\ndimension: 3\nspace: right-anterior-superior\nsizes: " << n.i << ' ' << n.j << ' '
+      << n.k << "\nspace directions: (" << s.x << ",0,0) (0," << s.y << ",0) (0,0," << s.z
+      << ")\nendian: little\nencoding: raw\n\n";
   volume.visit([&](const auto* samples) {
     out.write(reinterpret_cast<const char*>(samples),
               static_cast<std::streamsize>(volume.sample_count() * sizeof *samples));

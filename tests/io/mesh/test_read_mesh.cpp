@@ -237,6 +237,45 @@ TEST_CASE("written meshes come back, in every format and type, with their commen
   }
 }
 
+// No reader set it, so render --axes never named the patient's directions.
+TEST_CASE("the patient's space that a file names comes back, in every format") {
+  const TemporaryFolder folder;
+  const std::string comment = "deliso 0.1.0 max-distance=0.1 r-min=0.5 lambda=2";
+  TriMesh mesh = random_mesh(2);
+  for (const Exact& exact : kExact) {
+    CAPTURE(exact.name);
+    for (const AnatomicalSpace space :
+         {AnatomicalSpace::unknown, AnatomicalSpace::ras, AnatomicalSpace::lps}) {
+      mesh.frame.space = space;
+      write_mesh(mesh, folder / exact.name, {.comment = comment});
+      MeshNotes notes;
+      CHECK(read_mesh(folder / exact.name, &notes).frame.space == space);
+      CHECK(notes.comments.back() == comment);
+    }
+  }
+  for (const char* name : {"a.stl", "a.glb"}) {
+    mesh.frame.space = AnatomicalSpace::ras;
+    write_mesh(mesh, folder / name);
+    CHECK(read_mesh(folder / name).frame.space == AnatomicalSpace::ras);
+  }
+  const auto space = [](const std::string& bytes, MeshFormat format) {
+    return parse_mesh(bytes, format, "a").frame.space;
+  };
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  CHECK(space("# 3D Slicer output. SPACE=LPS\n" + obj, MeshFormat::obj) == AnatomicalSpace::lps);
+  CHECK(space("# SPACE=scanner\n" + obj, MeshFormat::obj) == AnatomicalSpace::unknown);
+  // As VTK 9.1 writes the field that Slicer gives it, in base64.
+  const auto vtp = [](const std::string& codes) {
+    return R"(<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" header_type="UInt32">
+<PolyData><FieldData><Array type="String" Name="SPACE" NumberOfTuples="1" format="binary">)" +
+           codes +
+           "</Array></FieldData><Piece NumberOfPoints=\"0\" NumberOfPolys=\"0\"/></PolyData>"
+           "</VTKFile>";
+  };
+  CHECK(space(vtp("BAAAAFJBUwA="), MeshFormat::vtp) == AnatomicalSpace::ras);
+  CHECK(space(vtp("BQAAAG90aGVy"), MeshFormat::vtp) == AnatomicalSpace::unknown);
+}
+
 TEST_CASE("polygons are read with other elements, comments and line ends of other systems") {
   const TriMesh expected = make_tri_mesh(kRichPoints, kRichTriangles);
   CHECK(same_mesh(parse_mesh(rich_ply(true, false), MeshFormat::ply, "in"), expected));

@@ -186,7 +186,7 @@ TEST_CASE("an anatomical space and a comment are in the head; nothing else chang
            "<PolyData>\n    <FieldData>\n      <Array type=\"String\" Name=\"SPACE\" "
            "NumberOfTuples=\"1\" format=\"ascii\">76 80 83 0</Array>\n    </FieldData>\n");
   in_space(MeshFormat::smesh, "# DelIso", "# DelIso SPACE=LPS");
-  in_space(MeshFormat::off, "OFF", "OFF");
+  in_space(MeshFormat::off, "OFF\n", "OFF\n# DelIso SPACE=LPS\n");
 
   TriMesh placed = random_sphere(4);
   placed.frame.space = AnatomicalSpace::ras;
@@ -196,7 +196,7 @@ TEST_CASE("an anatomical space and a comment are in the head; nothing else chang
   };
   noted(MeshFormat::ply, "comment DelIso SPACE=RAS\n", "comment " + comment);
   noted(MeshFormat::obj, "# DelIso SPACE=RAS\n", "# " + comment);
-  noted(MeshFormat::off, "OFF\n", "# " + comment);
+  noted(MeshFormat::off, "OFF\n# DelIso SPACE=RAS\n", "# " + comment);
   noted(MeshFormat::vtp, "<?xml version=\"1.0\"?>\n", "<!-- " + comment + " -->");
 }
 

@@ -21,7 +21,8 @@ std::vector<MeshObject> three_objects(MeshFormat format, bool values) {
     MeshWriteOptions options = with_attributes(mesh, format);
     if (!values) options = {.format = format};
     options.name = "label <" + std::to_string(seed) + "> \"\xc3\xa4\xff\n\"";
-    options.label = {-5 + static_cast<std::int64_t>(seed), {255, 0, 16}};
+    options.label = {-5 + static_cast<std::int64_t>(seed),
+                     {255, 0, static_cast<std::uint8_t>(15 + seed)}};
     objects.push_back({std::move(mesh), std::move(options)});
   }
   objects.insert(objects.begin() + 1, {TriMesh{}, objects[0].options});  // a label without surface
@@ -39,7 +40,9 @@ TEST_CASE("objects come back as one mesh, each with its own vertices") {
       CAPTURE(static_cast<int>(format));
       const std::vector<MeshObject> objects = three_objects(format, values);
       write_objects(objects, folder / "objects");
-      const TriMesh read = parse_mesh(file_bytes(folder / "objects"), format, "in");
+      MeshNotes notes;
+      const TriMesh read = parse_mesh(file_bytes(folder / "objects"), format, "in", &notes);
+      REQUIRE(notes.colors.size() == read.faces.size());
       std::size_t v = 0, f = 0;
       for (const MeshObject& object : objects) {
         const std::size_t first = v;
@@ -49,6 +52,8 @@ TEST_CASE("objects come back as one mesh, each with its own vertices") {
         }
         for (const Face& face : object.mesh.faces) {
           REQUIRE(f < read.faces.size());
+          if (!values)
+            CHECK(notes.colors[f] == object.options.label->color);  // caps have their own
           const Triangle& t = read.faces[FaceId(f++)].v;
           for (int n = 0; n < 3; ++n) CHECK(t[n] == VertexId(first + std::size_t{face.v[n]}));
         }
@@ -57,6 +62,49 @@ TEST_CASE("objects come back as one mesh, each with its own vertices") {
       CHECK(f == read.faces.size());
     }
   }
+}
+
+TEST_CASE("every color comes back from glTF's linear ones, and objects without one are gray") {
+  const TemporaryFolder folder;
+  std::vector<MeshObject> objects;
+  for (int n = 0; n < 256; ++n) {
+    const auto byte = static_cast<std::uint8_t>(n);
+    const std::array<std::uint8_t, 3> color{byte, static_cast<std::uint8_t>(255 - n), 7};
+    objects.push_back({mesh_of(tetrahedron()), {.label = ObjectLabel{n, color}}});
+  }
+  for (const char* name : {"a.glb", "a.3mf", "a.vtp"}) {
+    write_objects(objects, folder / name);
+    MeshNotes notes;
+    read_mesh(folder / name, &notes);
+    for (std::size_t n = 0; n < objects.size(); ++n) {
+      CHECK(notes.colors[4 * n] == objects[n].options.label->color);
+    }
+  }
+  MeshNotes notes;
+  write_mesh(mesh_of(tetrahedron()), folder / "one.3mf");
+  read_mesh(folder / "one.3mf", &notes);
+  CHECK(notes.colors.empty());
+}
+
+TEST_CASE("the labels of triangles' sides come back, polygons cut or not") {
+  const TemporaryFolder folder;
+  const TriMesh mesh = mesh_of(tetrahedron());
+  const MeshWriteOptions options{.sides = {{1, 0}, {-3, 2}, {7, -2147483647}, {0, 1}}};
+  for (const char* name : {"a.ply", "a.vtp"}) {
+    write_mesh(mesh, folder / name, options);
+    MeshNotes notes;
+    read_mesh(folder / name, &notes);
+    CHECK(notes.sides == options.sides);
+    CHECK(notes.colors.empty());
+  }
+  const std::string square =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+      "z\nelement face 2\nproperty int label_front\nproperty list uchar int vertex_indices\n"
+      "property int label_behind\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+      "3 4 0 1 2 3 4\n5 3 0 1 2 6\n";
+  MeshNotes notes;
+  parse_mesh(square, MeshFormat::ply, "in", &notes);
+  CHECK(notes.sides == std::vector<std::array<std::int32_t, 2>>{{3, 4}, {3, 4}, {5, 6}});
 }
 
 TEST_CASE("names and colors of objects") {

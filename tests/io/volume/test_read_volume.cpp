@@ -105,6 +105,33 @@ TEST_CASE("the anatomical space of a file is kept") {
   CHECK(space(ras) == AnatomicalSpace::ras);
 }
 
+TEST_CASE("the options turn the world to another space, by half a turn about S") {
+  const TemporaryFolder folder;
+  Truth truth = random_truth(SampleType::i16, {6, 7, 8}, 3);
+  truth.origin = {10, -20, 30};
+  for (const StoredVolume& stored : all_forms(truth)) {
+    CAPTURE(stored.label);
+    const std::string path = stored.write(folder);
+    ReadOptions options = stored.options;
+    options.roi = Roi{{1, 0, 2}, {5, 7, 8}};
+    const Volume own = read_volume(path, options);
+    for (const AnatomicalSpace space : {AnatomicalSpace::ras, AnatomicalSpace::lps}) {
+      options.space = space;
+      if (own.frame().space == AnatomicalSpace::unknown) {
+        CHECK(read_fault(path, options) ==
+              "names no patient's space, RAS or LPS, that --space could turn");
+        continue;
+      }
+      const Volume turned = read_volume(path, options);
+      CHECK(turned.frame().space == space);
+      CHECK(turned.frame().left_handed() == own.frame().left_handed());
+      CHECK(turned.frame().in_space(own.frame().space) == own.frame());
+      const Vec3 p = own.frame().to_world({1, 2, 3}), q = turned.frame().to_world({1, 2, 3});
+      CHECK(q == (space == own.frame().space ? p : Vec3{-p.x, -p.y, p.z}));
+    }
+  }
+}
+
 // Only axes were kept; a wrong spacing could not be mended but in raw files.
 TEST_CASE("a spacing and an origin of the options stand for the file's, in every format") {
   const TemporaryFolder folder;

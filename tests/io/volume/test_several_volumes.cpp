@@ -333,6 +333,8 @@ TEST_CASE("Slicer's segments are those that its file names") {
                        names + "\n0123456789abcdef");
   const std::vector<NamedSegment> segments = read_segments(path);
   REQUIRE(segments.size() == 3);
+  CHECK(segments[0].color == std::array<std::uint8_t, 3>{255, 0, 0});
+  CHECK(!segments[1].color);
   CHECK(segments[1].name == "left kidney");
   CHECK(segments[1].label == 2);
   CHECK(segments[1].channel == 1);
