@@ -4,6 +4,7 @@
 # targets, e.g. "nrrd ply"); for `make tidy`: SINCE (a commit: only files that changed since);
 # for `make sanitize`: PROGRAMS (only these, e.g. "tests_refine stress_parts");
 # for `make mutants`: ROOM (a folder of tests/, or some); for `make switches`: ONLY (some of them);
+# for `make course` and `make grade`: COURSE (the folder of the files), EXERCISE (one of them);
 # for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets`,
 # `make tables`, `make quality`, `make switches` and `make figures`: DATA (folder of volumes); for `make quality`:
 # AGAINST (another deliso program, or runs that were kept, .tsv), TURNS, QUALITY (further options); for
@@ -17,6 +18,8 @@ ISO   ?=
 TURNS ?= 5
 PYTHON ?= python3
 SITE  ?= $(BUILD)/site
+COURSE ?= course
+EXERCISE ?=
 DATA  ?= $(or $(DELISO_DATA),datasets)
 
 MAKEFLAGS += --no-print-directory
@@ -31,9 +34,9 @@ ROOM ?=
 ROOM_TESTS = tests_$(subst /,_,$(ROOM))
 CASE ?=
 PROGRAMS ?=
-OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src more check io view app c tests bench figures examples -name '*.h' -o -name '*.cpp')
+OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src more check io view app c tests bench figures examples course -name '*.h' -o -name '*.cpp')
 
-.PHONY: all demo test test-all room figures site bench datasets tables quality sanitize fuzz tidy format format-check install
+.PHONY: all demo test test-all room course grade figures site bench datasets tables quality sanitize fuzz tidy format format-check install
 .PHONY: wheel deb doctest clean
 
 all:
@@ -74,6 +77,17 @@ room: doctest
 	cmake --build $(BUILD)-room -j $(JOBS) --target $(ROOM_TESTS) && built=$$(date +%s) && \
 	{ $(BUILD)-room/tests/$(ROOM_TESTS) $(if $(CASE),--test-case='$(CASE)'); status=$$?; } && \
 	echo "compiled in $$((built - started)) s, run in $$(($$(date +%s) - built)) s"; exit $$status
+
+# The exercises of course/, and how many test cases each passes. COURSE is the folder of the files that
+# are graded; of one EXERCISE it shows what the compiler and the test say.
+CONFIGURE_COURSE = $(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=ON -DDELISO_COURSE='$(abspath $(COURSE))' >/dev/null
+course: doctest
+	@$(CONFIGURE_COURSE)
+	@cmake --build $(BUILD) -j $(JOBS) --target course
+grade: doctest
+	@$(CONFIGURE_COURSE)
+	@cmake --build $(BUILD) -j $(JOBS) --target deliso test_main >/dev/null
+	@sh course/grade.sh $(BUILD) $(EXERCISE)
 
 # docs/figures: the paper's figures, on the volumes in DATA; docs/guide/figures: the guide's, and
 # docs/index.html.

@@ -133,6 +133,9 @@ counts beside ours (from its Table 3 where the figure has none; [why ours differ
 show what the exact program, without options, makes of the same surface. `make figures DATA=folder` draws all with the
 commands below; volumes are those of [bench/datasets.tsv](../../bench/datasets.tsv). The outside of a surface is blue, the
 inside orange.
+
+All figures here, in [the guide](../guide/README.md#understanding) (SVG) and on [the page](../index.html) may be taken for slides and papers
+under the [license](../../LICENSE), MIT. Name the program ([how to cite](../bibliography.md#how-to-cite)).
 END
 
 section 'The picture of the README: Marching Cubes | the exact program'

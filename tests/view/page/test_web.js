@@ -258,7 +258,7 @@ test('the curves have the vertices of the surface at every step, and the worst d
     const trace = new Trace({ header: {}, arrays });
     const live = states.slice(1).map((state) => new Set(state.flat()).size);
     assert.deepEqual(Array.from(live_vertices(trace)), live);
-    const { worst, vertices } = curves_of(trace, live, events / 2);
+    const { worst, vertices } = curves_of(trace, live, places_of(trace), events / 2);
     assert.deepEqual(Array.from(vertices), live.filter((_, e) => e % 2 === 1));
     assert.deepEqual(Array.from(worst), Array.from(worst, (_, n) => n < 5 ? NaN : events - 2 * n));
   }
@@ -556,6 +556,27 @@ test('terms of the page stand in the glossary, with their definitions', () => {
   }
 });
 
+test('removals that were refused are folded, and every event is found at its place', () => {
+  const random = random_from(3);
+  for (let n = 0; n < 50; ++n) {
+    const events = 1 + random.below(n < 20 ? 3 : 300);
+    const arrays = { event_routine: Uint8Array.from({ length: events }, () => random.below(2)),
+                     event_outcome: Uint8Array.from({ length: events }, () => random.below(4) ? 1 : 0) };
+    const header = { routines: [{ name: 'flip' }, { name: 'removal' }], outcomes: ['done', 'refused: no gain'] };
+    const trace = new Trace({ header, arrays });
+    const places = places_of(trace);
+    assert.equal(places[0], 0);
+    assert.equal(places[events], 1);
+    let folded = 0;
+    for (let e = 0; e < events; ++e) {
+      assert.ok(places[e] < places[e + 1]);
+      assert.equal(event_at(places, (places[e] + places[e + 1]) / 2), e);
+      if (arrays.event_routine[e] === 1 && arrays.event_outcome[e] === 1) folded += places[e + 1] - places[e];
+    }
+    assert.ok(folded <= 0.1 || folded > 1 - 1e-9);
+  }
+});
+
 test('playback: the rare lasts longer, the whole about a minute', () => {
   const events = 4000;
   const arrays = { event_routine: Uint8Array.from({ length: events }, (_, e) => e % 400 === 7 ? 1 : 0) };
@@ -570,6 +591,7 @@ test('the tour stops at events of the trace, and says where there is none', () =
                    event_reason: Uint8Array.of(0, 0, 1, 1), event_value: Float32Array.of(1, 1, 3, 2) };
   for (const [program, first, at_switch, events] of [
     ['published', 'certify', 'build_tri_mesh', [0, -1, 1, -1, -1, 2, 3]],
+    ['published', 'init_triangulation', 'build_tri_mesh', [0, -1, -1, 1, -1, -1, 2, 3]],
     ['exact', 'contour', 'coarsen', [0, 1, -1, -1, 2, 3]]]) {
     const header = { program, routines: [{ name: first, stage: 1 }, { name: at_switch, stage: 1 },
                                          { name: 'flip', stage: 2 }],

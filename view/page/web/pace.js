@@ -1,5 +1,6 @@
 'use strict';
-// What runs along the timeline: the seconds that playback stays at an event, and two curves.
+// What runs along the timeline: the places of events, the seconds that playback stays at one, and two
+// curves.
 
 const kPlaySeconds = 60, kMostSeconds = 1.5;  // of a whole trace, and of one event
 
@@ -18,6 +19,30 @@ function seconds_of_events(trace) {
   for (const n of counts.values()) all += Math.sqrt(n);
   return Float64Array.from(kinds, (kind) =>
     Math.min(kMostSeconds, kPlaySeconds / all / Math.sqrt(counts.get(kind))));
+}
+
+// Where events are along the timeline: event e from places[e] to places[e + 1], of 0 to 1. Removals that
+// were refused are many and much alike: they are folded, to a tenth of the others' room at most.
+const kFoldedShare = 0.1;
+function places_of(trace) {
+  const is_folded = Array.from({ length: trace.count },
+                               (_, e) => trace.routine(e).name === 'removal' && trace.refused(e));
+  const folded = is_folded.filter(Boolean).length;
+  const width = Math.min(1, kFoldedShare * (trace.count - folded || 1) / folded);
+  const places = new Float64Array(trace.count + 1);
+  for (let e = 0; e < trace.count; ++e) places[e + 1] = places[e] + (is_folded[e] ? width : 1);
+  return places.map((place) => place / (places[trace.count] || 1));
+}
+
+// The event at a place of the timeline.
+function event_at(places, place) {
+  let low = 0, high = places.length - 1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (places[middle] <= place) low = middle;
+    else high = middle;
+  }
+  return low;
 }
 
 // Of the criteria with a limit the first that the trace has: its name; null without one.
@@ -40,10 +65,10 @@ function live_vertices(trace) {
 
 // Per column of the timeline: the mesh's worst distance, from the switch on, and the vertices of the
 // surface, `live` after every event.
-function curves_of(trace, live, columns) {
+function curves_of(trace, live, places, columns) {
   const worst = new Float64Array(columns).fill(NaN), vertices = new Float64Array(columns).fill(NaN);
   for (let e = 0; e < trace.count; ++e) {
-    const column = Math.floor(e / trace.count * columns);
+    const column = Math.floor(places[e] * columns);
     vertices[column] = live[e];
     const distance = trace.arrays.event_worst?.[e];
     if (distance >= 0 && !(worst[column] >= distance)) worst[column] = distance;

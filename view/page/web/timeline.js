@@ -21,6 +21,7 @@ class Timeline {
     this.at = 0;
     this.playing = false;
     this.speed = 0;       // events per second; 0: as long as the event is rare
+    this.places = places_of(trace);
     this.seconds = seconds_of_events(trace);
     this.live = live_vertices(trace);
     this.kind = 'routine';
@@ -130,7 +131,7 @@ class Timeline {
     const scrub = (event) => {
       const width = canvas.clientWidth - this.labels;
       const share = (event.offsetX - this.labels) / Math.max(1, width);
-      this.show(Math.floor(share * this.trace.count));
+      this.show(event_at(this.places, share));
     };
     canvas.addEventListener('pointerdown', (event) => {
       this.play(false);
@@ -163,18 +164,19 @@ class Timeline {
     const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
     if (width === 0) return;
     const context = fit_canvas(this.picture, width, height);
-    const { trace, labels } = this;
+    const { trace, labels, places } = this;
     const ink = css_color(style_color('--ink-soft')), line = css_color(style_color('--line'));
     context.font = '10.5px system-ui, sans-serif';
     const columns = Math.max(1, Math.floor(width - labels));
     const row_of = new Map(this.lanes.map((routine, row) => [routine, row]));
     const there = new Float32Array(columns * this.lanes.length);
+    let widest = 0;  // of the events, in columns
     for (let e = 0; e < trace.count; ++e) {
-      const column = Math.floor(e / trace.count * columns);
+      widest = Math.max(widest, (places[e + 1] - places[e]) * columns);
+      const column = Math.floor(places[e] * columns);
       there[row_of.get(trace.arrays.event_routine[e]) * columns + column] += 1;
     }
-    const wide = Math.max(1, columns / Math.max(1, trace.count));
-    const full = Math.max(1, trace.count / columns);
+    const wide = Math.max(1, widest), full = Math.max(1, 1 / widest);
     this.lanes.forEach((routine, row) => {
       const y = this.top + row * kLane;
       const { color, dash, label } = trace.routine_style(routine);
@@ -196,7 +198,7 @@ class Timeline {
       context.textBaseline = 'middle';
       context.fillText(label, 2, y + kLane / 2 + 0.5, labels - 10);
     });
-    const curves = curves_of(trace, this.live, columns);
+    const curves = curves_of(trace, this.live, places, columns);
     const orange = css_color(style_color('--accent')), blue = css_color(style_color('--focus'));
     draw_curve(context, curves.worst, labels, kHead, kCurves - 4, orange, []);
     draw_curve(context, curves.vertices, labels, kHead, kCurves - 4, blue, [5, 3]);
@@ -208,7 +210,7 @@ class Timeline {
     context.fillStyle = ink;
     context.textBaseline = 'bottom';
     if (trace.switch_at >= 0) {
-      const x = labels + trace.switch_at / trace.count * columns;
+      const x = labels + places[trace.switch_at] * columns;
       context.fillRect(x, kHead, 1, bottom - kHead);
       context.textAlign = 'center';
       for (const [stage, from, to] of [[1, labels, x], [2, x, width]]) {
@@ -220,12 +222,12 @@ class Timeline {
   }
 
   draw_head() {
-    const { canvas, labels, trace } = this;
+    const { canvas, labels, places } = this;
     const width = canvas.clientWidth, height = canvas.clientHeight;
     if (width === 0 || this.picture.width <= 1) return;
     const context = fit_canvas(canvas, width, height);
     context.drawImage(this.picture, 0, 0, width, height);
-    const x = labels + (this.at + 0.5) / Math.max(1, trace.count) * (width - labels);
+    const x = labels + (places[this.at] + (places[this.at + 1] ?? 1)) / 2 * (width - labels);
     context.fillStyle = css_color(style_color('--accent'));
     context.fillRect(x - 1, 5, 2, this.top - 5 + this.lanes.length * kLane);
     context.beginPath();

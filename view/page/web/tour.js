@@ -1,8 +1,6 @@
 'use strict';
 // A tour of a trace: its stops are events of this very trace.
 
-const kBroken = ['region', 'interface', 'triple', 'boundary', 'no disk', 'no half disk', 'several hits'];
-
 const kInsertions = ['surface_point', 'foot', 'far_point'];
 
 // The event with the greatest weight; -1 where none has a finite one.
@@ -52,14 +50,20 @@ function exact_stops(trace) {
 }
 
 function published_stops(trace) {
-  const broken = heaviest(trace, (e) => kBroken.includes(trace.reason(e)?.name) && !trace.refused(e)
-    ? -Math.abs(trace.size('removed', e) - 8) : -Infinity);  // few enough to be seen
+  // Where a test failed, with few enough facets to be seen.
+  const failed = (title, reasons, missing) => stop(title, heaviest(trace, (e) =>
+    reasons.includes(trace.reason(e)?.name) && !trace.refused(e) ? -Math.abs(trace.size('removed', e) - 8) : -Infinity),
+    (e) => `${sentence(trace.reason(e).text.split('; value: ')[0])} A new site is inserted to mend it.`, missing);
+  const is_certified = trace.routines_used.some((n) => trace.routines[n]?.name === 'certify');
   return [
     stop('The first sites', trace.count > 0 ? 0 : -1, () =>
       `The run begins with ${counted(trace.vertices[1], 'site', 'sites')} on the isosurface, samples of it. Each dot is one.`,
          kNoEvents, true),
-    stop('A region that breaks a condition', broken, (e) =>
-      `${sentence(trace.reason(e).text.split('; value: ')[0])} A new site is inserted to mend it.`, 'No region broke a condition in this trace.'),
+    ...is_certified
+      ? [failed('A region that breaks a condition', ['region', 'interface', 'triple', 'boundary'],
+                'No region broke a condition in this trace.')]
+      : [failed('MultiIntersect', ['several hits'], 'No Voronoi edge met the surface twice in this trace.'),
+         failed('ExtractManifold', ['no disk', 'no half disk'], 'The facets at no vertex had to be mended in this trace.')],
     stop('From Recover to Refine', trace.switch_at, () =>
       `The switch. ${topology_at_switch(trace.header)} The tetrahedra are left behind, and Refine gives the plain ` +
       'mesh of triangles its shape.', kNoSwitch, true),
