@@ -68,7 +68,7 @@ void draw(Drawing& out, const Panel& panel, const lesson::Cell& cell) {
 }  // namespace
 
 void draw_cells(const std::string& folder) {
-  Drawing out(860, 310);
+  Drawing out(1145, 310);
   double x = 10;
   for (const lesson::Cell& cell : lesson::example_cells()) {
     const Panel panel{{-1.1, -1.1}, 270 / 2.2, {x, 35}, {270, 270}};

@@ -160,14 +160,25 @@ std::vector<Cell> example_cells() {
   });
   const ContourMesh b = build_contour(balls, geometric_isovalue(balls.type(), 0));
   std::vector<Vec3> around{left + Vec3{0.42, 0, 0}};
-  for (const Vec3& center : {left, right}) {
+  const auto put_around = [](std::vector<Vec3>& sites, const Vec3& center) {
     for (const double r : {-0.42, 0.42}) {
-      around.push_back(center + Vec3{0, r, 0});
-      around.push_back(center + Vec3{0, 0, r});
+      sites.push_back(center + Vec3{0, r, 0});
+      sites.push_back(center + Vec3{0, 0, r});
     }
-  }
+  };
+  put_around(around, left);
+  put_around(around, right);
+  // A ball with a site on each side, and a small one, without a site, in front of the first of these.
+  const Vec3 front{1.25, 0.6, 0.6};
+  const Volume pair = Volume::from_function(box, {21, 13, 13}, [&](const Vec3& p) {
+    return std::max(0.42 - std::sqrt(distance2(p, left)), 0.17 - std::sqrt(distance2(p, front)));
+  });
+  const ContourMesh c = build_contour(pair, geometric_isovalue(pair.type(), 0));
+  std::vector<Vec3> on_first{left + Vec3{0.42, 0, 0}, left - Vec3{0.42, 0, 0}};
+  put_around(on_first, left);
   return {of_torus("A disk", "as it should be", 40, 1), of_torus("A ring", "around a tube", 7, 4),
-          make_cell("Two pieces", "on both sides of a gap", b, around, 0)};
+          make_cell("Two pieces", "on both sides of a gap", b, around, 0),
+          make_cell("A disk and a ball", "which no edge meets", c, on_first, 0)};
 }
 
 }  // namespace deliso::lesson

@@ -76,8 +76,8 @@ function tell_fault(state) {
   }[fault.kind];
   if (v < 0) return [`${fault.condition} fails. ${what}`, 'All vertices there are sites already.'];
   const site = state.name(state.regions.site_of[v]);
-  return [`${fault.condition} fails. ${what}`, `Next comes v: of the ${fault.stray.length} ringed vertices the furthest ` +
-          `from its site, ${in_voxels(state.regions.far[v])} from ${site}.`];
+  const which = fault.stray.length > 1 ? 'of the ringed vertices the furthest from its site' : 'the ringed vertex';
+  return [`${fault.condition} fails. ${what}`, `Next comes v: ${which}, ${in_voxels(state.regions.far[v])} from ${site}.`];
 }
 
 // Sites that the certificate asks for where it fails: the mesh has them, the pictures above do not.
@@ -268,12 +268,13 @@ const kPictures = {
     draw(picture, state) {
       draw_body(picture, state);
       for (const curve of state.contour.curves) picture.polyline(curve, 'sigma', true);
-      const { round } = shown_rounds(state);
+      const { round, shown, last } = shown_rounds(state);
       for (const loop of round.loops) {
         picture.polyline(loop, 'dual', true);
         for (const p of loop) picture.dot(p, 'vertex', 0.09 * picture.scale + 1);
       }
-      if (round.facet && round.why === '') picture.dot(round.facet.x, 'surface-point', 6);
+      // The one that the slider has come to.
+      if (round.facet && shown < last && round.why === '') picture.dot(round.facet.x, 'surface-point', 6);
       draw_added(picture, state);
       put_sites(picture, state);
     },
