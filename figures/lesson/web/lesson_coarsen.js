@@ -1,6 +1,6 @@
 'use strict';
 // Stage 1 of the exact program on a slice: T loses vertices as long as nothing is lost. A mesh is a list of
-// loops of T's vertices.
+// loops of T's vertices. That no edges cross is tested in the end only, as in space.
 
 // It goes in rounds: {loops, vertex, why, pass, waiting}, the mesh after the round, the vertex that was
 // tried, why it stays ('': it went), which pass over the vertices this is, and those left to try in it.
@@ -18,13 +18,10 @@ function removal_of(field, kappa, contour, loops, v, bound) {
   const is_inside = (t) => field.value([center[0] + t * outwards[0], center[1] + t * outwards[1]]) >= kappa;
   // No other sheet between the center and the ends of the edge's ball.
   const ball = 0.9 * distance(a, b) / 2;
-  const facets = loops.flatMap((other) => other.map((u, k) =>
-    ({ from: u, a: contour.points[u], b: contour.points[other[(k + 1) % other.length]] })));
   const why = count <= 3 ? 'three edges are the least that a loop has'
     : off > bound || along < 0 || along > 1 ? 'it would be further than D from the new edge'
     : !is_inside(-bound) || is_inside(bound) ? '\u03a3 is further than D from the new edge'
     : !is_inside(-ball) || is_inside(ball) ? 'another piece of \u03a3 is in the ball of the new edge'
-    : is_crossed_by(facets, (f) => f.from === before || f.from === v, [[a, b]]) ? 'the new edge would cross the mesh'
     : '';
   return { vertex: v, before, after, a, b, center, outwards, ball, off, why };
 }

@@ -27,7 +27,7 @@ for picture in $(grep -oE 'data-(picture|solids)="[a-z]*"' "$page" | cut -d '"' 
   grep -A 1 "=\"$picture\"" "$page" | grep -q '<img src="guide/figures/.* alt="..........*"' ||
     { echo "no drawing of $picture"; exit 1; }
 done
-[ "$(grep -c '<figure data-picture=' "$page")" -eq 7 ]
+[ "$(grep -c '<figure.* data-picture=' "$page")" -eq 8 ]
 grep -o 'src="[^"]*"' "$page" | cut -d '"' -f 2 | while read -r drawing; do
   test -f "$1/docs/$drawing" || { echo "no $drawing"; exit 1; }
 done
