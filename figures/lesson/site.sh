@@ -22,8 +22,8 @@ else
   mkdir -p "$out/guide"
   cp "$docs"/guide/*.md "$out/guide/"
 fi
-# Links that the page has on a site only.
-sed -E "s|<li hidden data-site>|<li>|;s|href=\"\.\./README\.md|href=\"$readme|g;s|href=\"([A-Za-z/-]+\.md)|href=\"$pages\1|g" "$docs/index.html" \
+# Links that the page has on a site only: what they lead to is made here.
+sed -E "s|<li hidden data-site>|<li>|;s|data-page=|href=|g;s|href=\"\.\./README\.md|href=\"$readme|g;s|href=\"([A-Za-z/-]+\.md)|href=\"$pages\1|g" "$docs/index.html" \
   >"$out/index.html"
 mkdir -p "$out/guide/figures"
 grep -o 'src="[^"]*"' "$docs/index.html" | cut -d '"' -f 2 | while read -r drawing; do

@@ -100,7 +100,8 @@ const tell_refused = ({ why }) => why === '' ? [] : [`Refused: ${why}.`];
 const kShort = 0.3;
 
 // The mesh of the sites, right or not, at the end of Stage 2.
-const few_points_refined = (state) => state.finished(first_round(state.walks(state.sites))).at(-1);
+const few_points_refined = (state) =>
+  refine(state.field, state.kappa, first_round(state.walks(state.sites)), state.limit, kRMin).at(-1);
 
 const kPictures = {
   need: {
@@ -140,7 +141,8 @@ const kPictures = {
       const { loops, refused } = few_points_refined(state);
       if (!state.fault) return [`Now the sites are enough: ${counted(loops.length, 'loop', 'loops')}. ${true_loops}`];
       return [`The mesh meets itself at ${state.name(state.fault.site)}, so it is no curve. ` +
-              `${counted(refused.length, 'edge', 'edges')} cannot be mended; the worst is ${in_voxels(largest_h(state, loops))} from \u03a3.`];
+              `${counted(refused.length, 'edge', 'edges')} cannot be mended; the worst is ` +
+              `${in_voxels(largest_h(state, loops))} from \u03a3.`];
     },
   },
   samples: {
@@ -250,7 +252,8 @@ const kPictures = {
     },
     tell(state) {
       const facets = state.facets(), facet = state.facet(facets), next = state.next_facet(facets);
-      const which = facet === next ? 'the largest that is left' : state.edge ? 'of the edge that you chose' : 'the largest';
+      const which = facet === next ? 'the largest that is left'
+                  : state.edge ? 'of the edge that you chose' : 'the largest';
       return [...tell_added(state), ...tell_refused(state.round),
               facet.x ? `h = ${in_voxels(facet.h)}, ${which}; D = ${state.limit.toFixed(2)}. Radius of the ball: ` +
                         `${in_voxels(facet.radius)}.`

@@ -146,7 +146,13 @@ class State {
   get round() { return this.rounds.at(-1); }
   get loops() { return this.round.loops; }
   get by_hand() { return this.rounds.filter(({ facet, why }) => facet && why === '').length; }
-  facets() { return facets_of(this.field, this.kappa, this.loops); }
+  facets() {
+    // All pictures ask for them; a round never changes.
+    if (this.known?.round !== this.round) {
+      this.known = { round: this.round, facets: facets_of(this.field, this.kappa, this.loops) };
+    }
+    return this.known.facets;
+  }
   // The facet that Stage 2 takes next; null: it is at its end.
   next_facet(facets) { return worst_of(facets, this.limit, kRMin, this.round.refused); }
   // The facet that the picture of insertion is about: the chosen one, else the next one, else the worst.
@@ -164,8 +170,14 @@ class State {
     if (this.rounds.length > 1) this.rounds = this.rounds.slice(0, -1);
     this.edge = null;
   }
-  // All rounds of Stage 2 to its end, also on walks that are no mesh.
-  finished(from = this.round) { return refine(this.field, this.kappa, from, this.limit, kRMin); }
+  // All rounds of Stage 2 from where it is to its end.
+  finished() {
+    const { known_end: known, round, limit } = this;
+    if (known?.round !== round || known.limit !== limit) {
+      this.known_end = { round, limit, rounds: refine(this.field, this.kappa, round, limit, kRMin) };
+    }
+    return this.known_end.rounds;
+  }
 
   // The coarsening of T, as far as its rounds went.
   get coarsened() { return this.coarse.at(-1); }
