@@ -13,7 +13,8 @@ repository=${3:-}
 mkdir -p "$out"
 "$deliso" trace builtin:torus:16 --paper -o "$out/torus-paper.html" >/dev/null
 "$deliso" trace builtin:torus:16 -o "$out/torus.html" >/dev/null
-"$deliso" builtin:torus:16 -q -o - --format ply | "$deliso" view - -o "$out/torus-mesh.html" >/dev/null
+"$deliso" builtin:torus:16 -q -o "$out/torus.ply"
+"$deliso" view "$out/torus.ply" -o "$out/torus-mesh.html" >/dev/null
 if [ -n "$repository" ]; then
   readme=$repository/blob/main/README.md pages=$repository/blob/main/docs/
 else

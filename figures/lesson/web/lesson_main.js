@@ -120,6 +120,9 @@ function way(label, title, name, state, act) {
   return made;
 }
 
+const undo = (label) => (s, act) => press(label, 'Take the last change of samples, isovalue or sites back',
+                                          act(() => s.undo()), () => s.past.length > 0);
+
 // By name: made from the state, and what wraps a change of it.
 const kControls = {
   cubes: (s, act) => way('Marching Cubes', 'Show what Marching Cubes makes', 'cubes', s, act),
@@ -151,10 +154,9 @@ const kControls = {
                             act(() => s.remove_site(s.chosen)), () => s.sites.length > 1),
   again: (s, act) => press('Start again', 'The samples, the isovalue and the sites of the beginning',
                            act(() => s.start_again())),
-  undo: (s, act) => press('Undo', 'Take the last change of samples, isovalue or sites back', act(() => s.undo()),
-                          () => s.past.length > 0),
+  undo: undo('Undo'),
   // Stage 1: a site a step.
-  back: (s, act) => press('Back', 'Take the last change back', act(() => s.undo()), () => s.past.length > 0),
+  back: undo('Back'),
   ask: (s, act) => press('Make v a site', 'Insert the vertex that the certificate asks for',
                          act(() => s.add_site(s.fault.insert)), () => (s.fault?.insert ?? -1) >= 0),
   play_sites: (s, act) => play('Insert what the certificate asks for until it holds',
