@@ -2,34 +2,35 @@
 // Stage 1 of the exact program on a slice: T loses vertices as long as nothing is lost. A mesh is a list of
 // loops of T's vertices. That no edges cross is tested in the end only, as in space.
 
-// It goes in rounds: {loops, vertex, why, pass, waiting}, the mesh after the round, the vertex that was
-// tried, why it stays ('': it went), which pass over the vertices this is, and those left to try in it.
+// It goes in rounds: {loops, vertex, why, pass, waiting, removed}, the mesh after the round, the vertex that
+// was tried, why it stays ('': it went), which pass over the vertices this is, those left to try in it, and how
+// many it has removed.
 const uncoarsened = (contour) =>
   ({ loops: contour.loops, vertex: -1, why: '', pass: 1, waiting: contour.loops.flat(), removed: 0 });
 
-// What would change if v went: {at, before, after, center, outwards, h, why}; `why` it may not; '': it may.
+// What would change if v went, as {vertex, before, after, a, b, center, outwards, ball, off, why}: its neighbors,
+// the edge from a to b that would join them, the radius that no other sheet may come into, and how far v is from
+// the edge. `why` it may not go; '': it may.
 function removal_of(field, kappa, contour, loops, v, bound) {
   const l = loops.findIndex((loop) => loop.includes(v)), loop = loops[l], n = loop.indexOf(v);
   const count = loop.length, p = contour.points[v];
   const [before, after] = [loop[(n + count - 1) % count], loop[(n + 1) % count]];
   const [a, b] = [contour.points[before], contour.points[after]];
-  const edge = facet_of(field, kappa, a, b), { center, outwards } = edge;
-  const { along, off } = place_by_edge(a, b, p);
+  const { center, outwards } = facet_of(field, kappa, a, b), off = distance_from_edge(a, b, p);
   const is_inside = (t) => field.value([center[0] + t * outwards[0], center[1] + t * outwards[1]]) >= kappa;
   // No other sheet between the center and the ends of the edge's ball.
   const ball = 0.9 * distance(a, b) / 2;
   const why = count <= 3 ? 'three edges are the least that a loop has'
-    : off > bound || along < 0 || along > 1 ? 'it would be further than D from the new edge'
+    : off > bound ? 'it would be further than D from the new edge'
     : !is_inside(-bound) || is_inside(bound) ? '\u03a3 is further than D from the new edge'
     : !is_inside(-ball) || is_inside(ball) ? 'another piece of \u03a3 is in the ball of the new edge'
     : '';
   return { vertex: v, before, after, a, b, center, outwards, ball, off, why };
 }
 
-// Where p lies: as a share of the edge from a to b, and how far from its line.
-function place_by_edge(a, b, p) {
-  const u = [b[0] - a[0], b[1] - a[1]], w = [p[0] - a[0], p[1] - a[1]], size = Math.hypot(...u) || 1;
-  return { along: (u[0] * w[0] + u[1] * w[1]) / size ** 2, off: Math.abs(u[0] * w[1] - u[1] * w[0]) / size };
+function distance_from_edge(a, b, p) {
+  const along = ((b[0] - a[0]) * (p[0] - a[0]) + (b[1] - a[1]) * (p[1] - a[1])) / (distance(a, b) ** 2 || 1);
+  return distance(p, between(a, b, clamp(along, 0, 1)));
 }
 
 // The round in which v is tried. After it is gone its neighbors wait for the next pass, so that those that

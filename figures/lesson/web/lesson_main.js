@@ -180,7 +180,7 @@ const kControls = {
     s.insert();
   }), () => s.next_facet(s.facets()) !== null),
   shown: (s, act) => {
-    const made = range('Insertions', { min: 0, max: 1, step: 1 }, String, () => shown_rounds(s).shown,
+    const made = range('Rounds', { min: 0, max: 1, step: 1 }, String, () => shown_rounds(s).shown,
                        (n) => { s.shown = n === shown_rounds(s).last ? null : n; }, act);
     const refresh = made.refresh;
     made.refresh = () => {

@@ -108,9 +108,9 @@ window.addEventListener('load', () => {
   check('points are counted', status('insertion').includes('2 points inserted') && status('mesh').includes('30 edges'));
   press('insertion', 'Back');
   check('an insertion is taken back', status('insertion').includes('1 point inserted'));
-  move('mesh', 'Insertions', 3);
+  move('mesh', 'Rounds', 3);
   check('the mesh after three insertions', status('mesh').includes('14 edges') && marked('mesh').startsWith('while'));
-  move('mesh', 'Insertions', 19);
+  move('mesh', 'Rounds', 19);
   press('coarsen', 'Try p');
   check('a vertex is tried', status('coarsen').includes('38 of 38') && !figure('coarsen').querySelector('button').disabled);
   const edges = () => Number(status('mesh').match(/(\d+) edges/)?.[1]), few = edges();
