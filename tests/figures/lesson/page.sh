@@ -49,7 +49,7 @@ links() { grep -o 'href="[^"#]*' "$work/site/index.html" | cut -d '"' -f 2 | gre
 for file in $(links) $(grep -o 'src="[^"]*"' "$work/site/index.html" | cut -d '"' -f 2); do
   test -f "$work/site/$file" || { echo "the site has no $file"; exit 1; }
 done
-if grep -q data-site "$work/site/index.html"; then
+if grep -qE 'data-(site|page)' "$work/site/index.html"; then
   echo 'the site hides a link that it has'
   exit 1
 fi
