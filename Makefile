@@ -9,7 +9,8 @@
 # `make tables`, `make quality`, `make switches` and `make figures`: DATA (folder of volumes); for `make quality`:
 # AGAINST (another deliso program, or runs that were kept, .tsv), TURNS, QUALITY (further options); for
 # `make gauntlet`: PYTHON (one with NumPy), GAUNTLET (options, e.g. "--count 100 --only PyMCubes"); for
-# `make site`: SITE (folder), REPOSITORY (its address, which the page's links lead to).
+# `make site`: SITE (folder), REPOSITORY (its address, which the page's links lead to), DELISO (a program that is
+# built already).
 BUILD ?= build
 JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
 PREFIX ?= /usr/local
@@ -99,9 +100,13 @@ figures:
 	@$(BUILD)/figures/lesson/lesson docs/index.html
 	@sh figures/draw_figures.sh $(BUILD) docs/figures '$(DATA)'
 
-# A folder that any static host serves: the page docs/index.html with its drawings.
+# A folder that any static host serves: the page docs/index.html with its drawings, two traces and a view.
 site:
-	@sh figures/lesson/site.sh '$(SITE)' '$(REPOSITORY)'
+ifndef DELISO
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=OFF >/dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app
+endif
+	@sh figures/lesson/site.sh '$(SITE)' '$(or $(DELISO),$(BUILD)/deliso)' '$(REPOSITORY)'
 
 # The micro-benchmarks, one primitive each; they need no data.
 bench:

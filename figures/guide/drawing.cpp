@@ -18,8 +18,8 @@ void append_path(std::string& out, std::span<const Vec2> points) {
 
 }  // namespace
 
-Drawing::Drawing(double width, double height) : width_(width), height_(height) {
-  rectangle({0, 0}, {width, height}, {.fill = ink::kPaper});
+Drawing::Drawing(double width, double height, const char* ground) : width_(width), height_(height) {
+  rectangle({0, 0}, {width, height}, {.fill = ground});
 }
 
 void Drawing::attributes(const Style& style) {

@@ -53,7 +53,8 @@ enum class Anchor { start, middle, end };
 
 class Drawing {
  public:
-  Drawing(double width, double height);
+  // `ground`: the color of the paper; nullptr: what is behind the picture shows.
+  Drawing(double width, double height, const char* ground = ink::kPaper);
 
   void line(const Vec2& a, const Vec2& b, const Style& style);
   void polyline(std::span<const Vec2> points, const Style& style);

@@ -34,6 +34,7 @@ void draw_patches(const std::string& folder);
 void draw_certificate(const std::string& folder);
 // cells.cpp
 void draw_cells(const std::string& folder);
+void draw_torus(const std::string& folder);
 // meshes.cpp
 void draw_fineness(const std::string& folder);
 void draw_certified(const std::string& folder);

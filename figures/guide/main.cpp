@@ -31,6 +31,7 @@ constexpr Figure kFigures[] = {
     {"patches", draw_patches},
     {"certificate", draw_certificate},
     {"cells", draw_cells},
+    {"torus", draw_torus},
     {"certified", draw_certified},
     {"coarsen", draw_coarsen},
     {"insert", draw_insert},

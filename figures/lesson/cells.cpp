@@ -100,15 +100,14 @@ Box3 box_around(const ContourMesh& contour) {
   return box;
 }
 
-Cell make_cell(const char* title, const char* text, const ContourMesh& contour,
-               const std::vector<Vec3>& sites, std::size_t own) {
+Cell cell_of(const ContourMesh& contour, const std::vector<Vec3>& sites, std::size_t own) {
   std::vector<HalfSpace> halves;
   for (std::size_t n = 0; n < sites.size(); ++n) {
     if (n == own) continue;
     const Vec3 normal = sites[n] - sites[own];
     halves.push_back({normal, dot(normal, 0.5 * (sites[n] + sites[own]))});
   }
-  Cell cell{title, text, box_sides(box_around(contour)), {}, {}};
+  Cell cell{"", "", box_sides(box_around(contour)), {}, {}};
   for (const HalfSpace& half : halves) cut(cell.sides, half);
   for (const auto& t : contour.triangles) {
     Polygon piece{contour.points[t[0]], contour.points[t[1]], contour.points[t[2]]};
@@ -121,7 +120,15 @@ Cell make_cell(const char* title, const char* text, const ContourMesh& contour,
     }
     cell.surface.push_back(std::move(piece));
   }
-  // Into the unit ball.
+  return cell;
+}
+
+// In the unit ball.
+Cell make_cell(const char* title, const char* text, const ContourMesh& contour,
+               const std::vector<Vec3>& sites, std::size_t own) {
+  Cell cell = cell_of(contour, sites, own);
+  cell.title = title;
+  cell.text = text;
   Vec3 middle;
   double corners = 0;
   for (const Polygon& side : cell.sides) {
@@ -145,6 +152,17 @@ Cell make_cell(const char* title, const char* text, const ContourMesh& contour,
 
 }  // namespace
 
+std::vector<Cell> torus_cells(std::size_t count) {
+  const Volume torus = Volume::from_function(
+      {{-1.6, -1.6, -0.6}, {1.6, 1.6, 0.6}}, {9, 9, 4},
+      [](const Vec3& p) { return 0.45 - std::hypot(std::hypot(p.x, p.y) - 1, p.z); });
+  const ContourMesh t = build_contour(torus, geometric_isovalue(torus.type(), 0));
+  const std::vector<Vec3> sites = spread_sites(t, count);
+  std::vector<Cell> cells;
+  for (std::size_t n = 0; n < count; ++n) cells.push_back(cell_of(t, sites, n));
+  return cells;
+}
+
 std::vector<Cell> example_cells() {
   const Volume torus = make_builtin_volume("builtin:torus:16");
   const ContourMesh t = build_contour(torus, geometric_isovalue(torus.type(), 0));
@@ -160,14 +178,26 @@ std::vector<Cell> example_cells() {
   });
   const ContourMesh b = build_contour(balls, geometric_isovalue(balls.type(), 0));
   std::vector<Vec3> around{left + Vec3{0.42, 0, 0}};
-  for (const Vec3& center : {left, right}) {
+  const auto put_around = [](std::vector<Vec3>& sites, const Vec3& center) {
     for (const double r : {-0.42, 0.42}) {
-      around.push_back(center + Vec3{0, r, 0});
-      around.push_back(center + Vec3{0, 0, r});
+      sites.push_back(center + Vec3{0, r, 0});
+      sites.push_back(center + Vec3{0, 0, r});
     }
-  }
+  };
+  put_around(around, left);
+  put_around(around, right);
+  // A ball with a site on each side, and a small one, without a site, in front of the first of
+  // these.
+  const Vec3 front{1.25, 0.6, 0.6};
+  const Volume pair = Volume::from_function(box, {21, 13, 13}, [&](const Vec3& p) {
+    return std::max(0.42 - std::sqrt(distance2(p, left)), 0.17 - std::sqrt(distance2(p, front)));
+  });
+  const ContourMesh c = build_contour(pair, geometric_isovalue(pair.type(), 0));
+  std::vector<Vec3> on_first{left + Vec3{0.42, 0, 0}, left - Vec3{0.42, 0, 0}};
+  put_around(on_first, left);
   return {of_torus("A disk", "as it should be", 40, 1), of_torus("A ring", "around a tube", 7, 4),
-          make_cell("Two pieces", "on both sides of a gap", b, around, 0)};
+          make_cell("Two pieces", "on both sides of a gap", b, around, 0),
+          make_cell("A disk and a ball", "which no edge meets", c, on_first, 0)};
 }
 
 }  // namespace deliso::lesson

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Voronoi cells, each with the piece of a surface in it: the topological ball property and two of
-// the ways in which a cell breaks it. For the page of the lesson and its drawing on paper.
+// Voronoi cells, each with the piece of a surface in it: the topological ball property and three
+// ways in which a cell breaks it. For the page of the lesson and its drawing on paper.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,6 @@ namespace deliso::lesson {
 
 using Polygon = std::vector<Vec3>;
 
-// All of it lies in the ball around the origin of radius 1.
 struct Cell {
   const char *title, *text;
   std::vector<Polygon> sides;  // of the cell, counter-clockwise from outside
@@ -20,7 +19,11 @@ struct Cell {
   std::vector<Polygon> ends;  // the edges in which the piece ends, a pair of points each
 };
 
-// A disk, a ring, two pieces.
+// A disk, a ring, two pieces, a disk and a ball. All of each lies in the ball around the origin of
+// radius 1.
 std::vector<Cell> example_cells();
+
+// All cells of a torus with so many sites, in place, without titles.
+std::vector<Cell> torus_cells(std::size_t count);
 
 }  // namespace deliso::lesson

@@ -60,7 +60,8 @@ std::string small_surface(lesson::SmallSurface s) {
   return text("\n{\"title\":\"", s.title, "\",\"text\":\"", s.above, "; K: ", s.below,
               "\",\"points\":", points(s.t.points), ",\"labels\":\"", s.t.labels,
               "\",\"triangles\":", numbers(s.t.triangles), ",\"dual\":", points(s.k.points),
-              ",\"facets\":", numbers(s.k.triangles), ",\"wrong\":", numbers(s.wrong), "}");
+              ",\"facets\":", numbers(s.k.triangles), ",\"wrong\":", numbers(s.wrong),
+              ",\"marks\":\"", s.marks, "\"}");
 }
 
 std::string lesson_header() {

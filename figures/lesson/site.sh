@@ -1,14 +1,20 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Makes the folder OUT that a static host serves: the page with its drawings. What it links of the guide is
-# shown by the code host at REPOSITORY (https://host/owner/name); without one the pages lie in OUT, as text.
-# Usage: site.sh OUT [REPOSITORY]
+# Makes the folder OUT that a static host serves: the page with its drawings, and what the program shows of a
+# torus in space, two traces and a view. What the page links of the guide is shown by the code host at
+# REPOSITORY (https://host/owner/name); without one the pages lie in OUT, as text.
+# Usage: site.sh OUT DELISO [REPOSITORY]
 set -eu
-[ $# -ge 1 ] || { echo "usage: $0 OUT [REPOSITORY]" >&2; exit 2; }
+[ $# -ge 2 ] || { echo "usage: $0 OUT DELISO [REPOSITORY]" >&2; exit 2; }
 docs=$(cd "$(dirname "$0")/../../docs" && pwd)
 out=$1
-repository=${2:-}
+deliso=$2
+repository=${3:-}
 mkdir -p "$out"
+"$deliso" trace builtin:torus:16 --paper -o "$out/torus-paper.html" >/dev/null
+"$deliso" trace builtin:torus:16 -o "$out/torus.html" >/dev/null
+"$deliso" builtin:torus:16 -q -o "$out/torus.ply"
+"$deliso" view "$out/torus.ply" -o "$out/torus-mesh.html" >/dev/null
 if [ -n "$repository" ]; then
   readme=$repository/blob/main/README.md pages=$repository/blob/main/docs/
 else
@@ -17,7 +23,8 @@ else
   mkdir -p "$out/guide"
   cp "$docs"/guide/*.md "$out/guide/"
 fi
-sed -E "s|href=\"\.\./README\.md|href=\"$readme|g;s|href=\"([A-Za-z/-]+\.md)|href=\"$pages\1|g" "$docs/index.html" \
+# Links that the page has on a site only: what they lead to is made here.
+sed -E "s|<li hidden data-site>|<li>|;s|data-page=|href=|g;s|href=\"\.\./README\.md|href=\"$readme|g;s|href=\"([A-Za-z/-]+\.md)|href=\"$pages\1|g" "$docs/index.html" \
   >"$out/index.html"
 mkdir -p "$out/guide/figures"
 grep -o 'src="[^"]*"' "$docs/index.html" | cut -d '"' -f 2 | while read -r drawing; do

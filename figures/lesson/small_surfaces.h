@@ -23,6 +23,9 @@ struct SmallSurface {
   const char *title, *above, *below;  // the condition; what breaks it; what K is
   Labeled t, k;
   std::vector<std::array<int, 2>> wrong;  // edges of K, or a vertex twice
+  // On the page, where the fault is on T: pairs of labels whose patches meet there; '-' is the
+  // outside.
+  const char* marks;
 };
 
 std::vector<SmallSurface> small_surfaces();

@@ -90,7 +90,7 @@ struct MeshParts {
   AnatomicalSpace space = AnatomicalSpace::unknown;  // if it is not in a comment
 
   std::vector<std::array<std::uint8_t, 3>> colors{};  // as of MeshNotes
-  std::vector<std::array<std::int32_t, 2>> sides{};
+  std::vector<std::array<std::int64_t, 2>> sides{};
 
   // Adds the triangles of a polygon by rule R1. pre: three corners or more.
   void add_polygon(const std::vector<VertexId>& corners) {

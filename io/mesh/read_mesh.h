@@ -42,7 +42,7 @@ struct MeshNotes {
   // Of each facet, or empty: the color (sRGB) that VTP, glTF and 3MF give it, or its object; and
   // the labels in front of it and behind, as write_mesh has them in PLY and VTP.
   std::vector<std::array<std::uint8_t, 3>> colors{};
-  std::vector<std::array<std::int32_t, 2>> sides{};
+  std::vector<std::array<std::int64_t, 2>> sides{};
 };
 
 // Returns the mesh in the file at `path`, with linked facets (link_faces). The path's ending

@@ -231,13 +231,13 @@ void read_faces(Source& source, const Element& element, std::uint64_t vertices, 
     return i != kNoId && !element.properties[i].is_list &&
            element.properties[i].type == SampleType::i32;
   });
-  std::array<std::int32_t, 2> sides{};
+  std::array<std::int64_t, 2> sides{};
   std::vector<VertexId> corners;
   for (std::uint64_t f = 0; f < element.count; ++f) {
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const Property& property = element.properties[i];
       if (has_labels && (i == labels[0] || i == labels[1])) {
-        sides[i == labels[1]] = static_cast<std::int32_t>(source.next(property.type));
+        sides[i == labels[1]] = static_cast<std::int64_t>(source.next(property.type));
         continue;
       }
       if (i != indices) {

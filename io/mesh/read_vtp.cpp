@@ -158,13 +158,15 @@ class VtpParser {
         mesh.colors[t][n] = static_cast<std::uint8_t>(byte);
       });
     }
-    if (!is_of(fronts_, "Int32", 1) || !is_of(behinds_, "Int32", 1)) return;
+    const auto has_labels = [](const auto& array) {
+      return is_of(array, "Int32", 1) || is_of(array, "Int64", 1);
+    };
+    if (!has_labels(fronts_) || !has_labels(behinds_)) return;
     mesh.sides.resize(mesh.triangles.size());
     for (const std::size_t side : {0, 1}) {
-      for_each_triangle(side == 0 ? fronts_ : behinds_, 1,
-                        [&](std::size_t t, std::size_t, std::int64_t label) {
-                          mesh.sides[t][side] = static_cast<std::int32_t>(label);
-                        });
+      for_each_triangle(
+          side == 0 ? fronts_ : behinds_, 1,
+          [&](std::size_t t, std::size_t, std::int64_t label) { mesh.sides[t][side] = label; });
     }
   }
 

@@ -6,7 +6,12 @@ function begin() {
   const state = new State(header);
   state.way = 'cubes';
   const boards = [...document.querySelectorAll('figure[data-picture]')].map((figure) => new Board(figure, state));
-  state.redraw = () => { for (const board of boards) board.draw(); };
+  state.redraw = () => {
+    for (const board of boards) board.draw();
+    for (const number of document.querySelectorAll('[data-number]')) {
+      number.textContent = kNumbers[number.dataset.number](state);
+    }
+  };
   for (const figure of document.querySelectorAll('figure[data-solids]')) {
     put_solids(figure, header[figure.dataset.solids]);
   }
@@ -45,6 +50,8 @@ class Board {
     this.board.addEventListener('focusin', () => this.status.setAttribute('aria-live', 'polite'));
     this.board.addEventListener('focusout', () => this.status.setAttribute('aria-live', 'off'));
     this.controls = this.kind.controls.map((name) => kControls[name](state, act));
+    this.lines = [...figure.querySelectorAll('[data-line]')];
+    this.task = figure.querySelector('[data-task]');
     this.board.append(this.status, element('div', { class: 'controls' }, ...this.controls));
   }
 
@@ -55,6 +62,15 @@ class Board {
     kind.draw(picture, state);
     this.tell();
     for (const control of this.controls) control.refresh();
+    const running = this.lines.length > 0 ? kind.line(state) : '';
+    for (const line of this.lines) {
+      if (line.dataset.line === running) line.setAttribute('aria-current', 'step');
+      else line.removeAttribute('aria-current');
+    }
+    if (this.task && !this.task.classList.contains('done') && kTasks[this.task.dataset.task](state)) {
+      this.task.classList.add('done');
+      this.task.append(' Done.');
+    }
   }
   tell() {
     const lines = this.kind.tell(this.state).join(' ');
@@ -78,11 +94,34 @@ function press(label, title, act, is_possible = () => true) {
   made.refresh = () => { made.disabled = !is_possible(); };
   return made;
 }
+// Goes on by itself, a step each time, until it is pressed again or nothing is left to do.
+function play(title, act, is_possible, pause = 700) {
+  let timer = 0;
+  const stop = () => {
+    clearInterval(timer);
+    timer = 0;
+    made.refresh();
+  };
+  const step = () => is_possible() ? act() : stop();
+  const made = button('Play', title, () => {
+    if (timer) return stop();
+    timer = setInterval(step, pause);
+    step();
+  });
+  made.refresh = () => {
+    made.textContent = timer ? 'Pause' : 'Play';
+    made.disabled = !timer && !is_possible();
+  };
+  return made;
+}
 function way(label, title, name, state, act) {
   const made = button(label, title, act(() => { state.way = name; }));
   made.refresh = () => made.setAttribute('aria-pressed', state.way === name);
   return made;
 }
+
+const undo = (label) => (s, act) => press(label, 'Take the last change of samples, isovalue or sites back',
+                                          act(() => s.undo()), () => s.past.length > 0);
 
 // By name: made from the state, and what wraps a change of it.
 const kControls = {
@@ -115,19 +154,45 @@ const kControls = {
                             act(() => s.remove_site(s.chosen)), () => s.sites.length > 1),
   again: (s, act) => press('Start again', 'The samples, the isovalue and the sites of the beginning',
                            act(() => s.start_again())),
+  undo: undo('Undo'),
+  // Stage 1: a site a step.
+  back: undo('Back'),
   ask: (s, act) => press('Make v a site', 'Insert the vertex that the certificate asks for',
                          act(() => s.add_site(s.fault.insert)), () => (s.fault?.insert ?? -1) >= 0),
+  play_sites: (s, act) => play('Insert what the certificate asks for until it holds',
+                               act(() => s.add_site(s.fault.insert)), () => (s.fault?.insert ?? -1) >= 0),
   certify: (s, act) => press('Insert until it holds', 'Insert what the certificate asks for',
-                             act(() => s.certify()), () => s.fault !== null),
-  insert: (s, act) => press('Insert x', 'Insert the surface point', act(() => s.insert())),
-  worst: (s, act) => press('Worst edge', 'Select the edge that is furthest from \u03a3', act(() => {
+                             act(() => s.certify()), () => s.added.length > 0),
+  // Coarsening: a vertex a step.
+  back_removal: (s, act) => press('Back', 'Take the last step back', act(() => s.take_back_removal()),
+                                  () => s.coarse.length > 1),
+  remove_vertex: (s, act) => press('Try p', 'Remove p, if nothing is against it', act(() => s.remove_vertex()),
+                                   () => s.tried_vertex() >= 0),
+  play_removals: (s, act) => play('Try all vertices in turn', act(() => s.remove_vertex()),
+                                  () => s.coarsened.waiting.length > 0, 250),
+  // Stage 2: a surface point a step.
+  back_round: (s, act) => press('Back', 'Take the last insertion back', act(() => s.take_back_round()),
+                                () => s.rounds.length > 1),
+  insert: (s, act) => press('Insert x', 'Insert the surface point', act(() => s.insert()),
+                            () => s.edge !== null || s.next_facet(s.facets()) !== null),
+  play_rounds: (s, act) => play('Insert the surface point of the worst edge until no h is above D', act(() => {
     s.edge = null;
-    s.said = '';
-  })),
+    s.insert();
+  }), () => s.next_facet(s.facets()) !== null),
+  shown: (s, act) => {
+    const made = range('Rounds', { min: 0, max: 1, step: 1 }, String, () => shown_rounds(s).shown,
+                       (n) => { s.shown = n === shown_rounds(s).last ? null : n; }, act);
+    const refresh = made.refresh;
+    made.refresh = () => {
+      made.input.max = shown_rounds(s).last;
+      refresh();
+    };
+    return made;
+  },
+  worst: (s, act) => press('Worst edge', 'Select the edge that is furthest from \u03a3', act(() => { s.edge = null; })),
   next: (s, act) => press('Next edge', 'Select the edge after this one', act(() => {
     const facets = s.facets(), at = facets.indexOf(s.facet(facets));
     s.edge = facets[(at + 1) % facets.length].center;
-    s.said = '';
   })),
 };
 

@@ -39,38 +39,53 @@ function segments_cross(a, b, c, d) {
   return turn(a, b, c) !== turn(a, b, d) && turn(c, d, a) !== turn(c, d, b);
 }
 
-// Why the surface point of a facet is not inserted: '' when it is, then `loops` have it. As in space,
-// nothing is changed where the mesh would lose a vertex, lose sight of Sigma, or cross itself.
-function insert_surface_point(field, kappa, loops, facets, facet) {
+// True if one of some new edges would cross an edge of the mesh, other than those that `goes` takes away.
+const is_crossed_by = (facets, goes, edges) => facets.some((f) => !goes(f) && edges.some(
+  ([p, q]) => f.b !== p && f.a !== q && segments_cross(p, q, f.a, f.b)));
+
+// Why the surface point of a facet is not inserted; '': it may be. As in space, nothing is changed where
+// the mesh would lose a vertex, lose sight of Sigma, or cross itself.
+function why_not_inserted(field, kappa, facets, facet) {
   const { a, b, x } = facet;
+  const is_facet = (f) => f.loop === facet.loop && f.n === facet.n;
   if (!x) return 'its dual line does not meet \u03a3 near it';
-  if (cavity_of(facets, x).some((f) => f.loop !== facet.loop || f.n !== facet.n))
-    return 'x lies in the ball of another edge too';
-  const halves = [facet_of(field, kappa, a, x), facet_of(field, kappa, x, b)];
-  if (halves.some((half) => !half.x)) return 'a new edge would have no surface point';
-  for (const f of facets) {
-    if (f.loop === facet.loop && f.n === facet.n) continue;
-    const crosses = ([p, q]) => f.b !== p && f.a !== q && segments_cross(p, q, f.a, f.b);
-    if ([[a, x], [x, b]].some(crosses)) return 'a new edge would cross the mesh';
-  }
-  loops[facet.loop].splice(facet.n + 1, 0, x);
+  if (!cavity_of(facets, x).every(is_facet)) return 'x lies in the ball of another edge too';
+  const halves = [[a, x], [x, b]];
+  if (halves.some(([p, q]) => !facet_of(field, kappa, p, q).x)) return 'a new edge would have no surface point';
+  if (is_crossed_by(facets, is_facet, halves)) return 'a new edge would cross the mesh';
   return '';
 }
 
-// Inserts surface points, the worst facet's first, until no h is above `limit` or all such are refused.
-// Edges with a circumradius (half their length) below r_min are left. Returns {inserted, refused}.
-function refine(field, kappa, loops, limit, r_min) {
-  const refused = new Set();
-  const key = (f) => [...f.a, ...f.b].join();
-  for (let inserted = 0; ; ) {
-    const facets = facets_of(field, kappa, loops);
-    let worst = null;
-    for (const f of facets) {
-      const is_candidate = f.h > limit && distance(f.a, f.b) / 2 > r_min && !refused.has(key(f));
-      if (is_candidate && (!worst || f.h > worst.h)) worst = f;
-    }
-    if (!worst) return { inserted, refused: facets.filter((f) => refused.has(key(f))).length };
-    if (insert_surface_point(field, kappa, loops, facets, worst) === '') ++inserted;
-    else refused.add(key(worst));
+// Stage 2 goes in rounds: {loops, facet, why, refused}, the mesh after the round, the facet that was tried,
+// why its surface point was refused ('': it was not), and the facets that are not tried again: those that were
+// refused, until a neighbor changes.
+const first_round = (loops) => ({ loops, facet: null, why: '', refused: [] });
+const is_same_edge = (f, g) => f.a === g.a && f.b === g.b;
+
+// The edge of the next round: of those with h above the limit that were not refused, the one with the largest
+// h. Edges with a circumradius (half their length) below r_min are left. null: Stage 2 is at its end.
+function worst_of(facets, limit, r_min, refused) {
+  const is_candidate = (f) => f.h > limit && distance(f.a, f.b) / 2 > r_min && !refused.some((g) => is_same_edge(f, g));
+  return facets.reduce((worst, f) => is_candidate(f) && (!worst || f.h > worst.h) ? f : worst, null);
+}
+
+// The round in which the surface point of a facet is inserted, or refused.
+function next_round(field, kappa, { loops, refused }, facets, facet) {
+  const why = why_not_inserted(field, kappa, facets, facet);
+  if (why !== '') return { loops, facet, why, refused: [...refused.filter((f) => !is_same_edge(f, facet)), facet] };
+  const changed = loops.map((loop, l) => l !== facet.loop ? loop
+    : [...loop.slice(0, facet.n + 1), facet.x, ...loop.slice(facet.n + 1)]);
+  const is_neighbor = (f) => f.a === facet.b || f.b === facet.a;
+  return { loops: changed, facet, why, refused: refused.filter((f) => !is_neighbor(f) && !is_same_edge(f, facet)) };
+}
+
+// All rounds of Stage 2 from `first` on, the worst facet first.
+function refine(field, kappa, first, limit, r_min) {
+  const rounds = [first];
+  for (;;) {
+    const round = rounds.at(-1), facets = facets_of(field, kappa, round.loops);
+    const worst = worst_of(facets, limit, r_min, round.refused);
+    if (!worst) return rounds;
+    rounds.push(next_round(field, kappa, round, facets, worst));
   }
 }

@@ -1,6 +1,7 @@
 'use strict';
 // The pictures of the slice: what each draws, tells, and lets the reader do.
-// name: {draw(picture, state), tell(state): lines, controls: names}
+// name: {draw(picture, state), tell(state): lines, controls: names}, and where pseudocode is beside it, line(state):
+// the line that runs next
 
 function draw_body(picture, state) {
   picture.draw_sides(state.contour);
@@ -67,14 +68,16 @@ function tell_fault(state) {
     const loops = counted(state.contour.loops.length, 'loop', 'loops');
     return ['The certificate holds: ' + `K is ${loops}, as T is.`];
   }
-  const name = state.name(Math.min(fault.site, fault.other ?? fault.site));
+  const name = state.name(Math.min(fault.site, fault.other ?? fault.site)), v = fault.insert;
   const what = {
     pieces: `The region of ${name} is in ${state.regions.arcs[fault.site].length} pieces.`,
     closed: `The region of ${name} is a whole loop.`,
     interface: `The regions of ${name} and ${state.name(Math.max(fault.site, fault.other))} meet at more than one place.`,
   }[fault.kind];
-  return [`The certificate fails. ${what}`,
-          fault.insert >= 0 ? 'It asks for the vertex v as a site.' : 'All vertices there are sites already.'];
+  if (v < 0) return [`${fault.condition} fails. ${what}`, 'All vertices there are sites already.'];
+  const site = state.name(state.regions.site_of[v]);
+  const which = fault.stray.length > 1 ? 'of the ringed vertices the furthest from its site' : 'the ringed vertex';
+  return [`${fault.condition} fails. ${what}`, `Next comes v: ${which}, ${in_voxels(state.regions.far[v])} from ${site}.`];
 }
 
 // Sites that the certificate asks for where it fails: the mesh has them, the pictures above do not.
@@ -91,12 +94,18 @@ const largest_h = (state, loops) => Math.max(...facets_of(state.field, state.kap
 
 const in_voxels = (x) => `${x.toFixed(2)} voxels`;
 const kSites = ['add', 'remove', 'again'];
+// Why the last round changed nothing.
+const tell_refused = ({ why }) => why === '' ? [] : [`Refused: ${why}.`];
 // Edges shorter than this share of a voxel get a ring.
 const kShort = 0.3;
 
+// The mesh of the sites, right or not, at the end of Stage 2.
+const few_points_refined = (state) =>
+  refine(state.field, state.kappa, first_round(state.walks(state.sites)), state.limit, kRMin).at(-1);
+
 const kPictures = {
   need: {
-    controls: ['cubes', 'refined', 'again'],
+    controls: ['cubes', 'refined', 'kappa', 'undo', 'again'],
     draw(picture, state) {
       draw_body(picture, state);
       for (const curve of state.contour.curves) picture.polyline(curve, 'sigma dashed', true);
@@ -111,7 +120,7 @@ const kPictures = {
         }
         return;
       }
-      for (const loop of state.finished(state.walks(state.sites)).loops) {
+      for (const loop of few_points_refined(state).loops) {
         picture.polyline(loop, 'dual', true);
         for (const p of loop) picture.dot(p, 'vertex', 0.09 * picture.scale + 1);
       }
@@ -129,14 +138,15 @@ const kPictures = {
         return [`${counted(edges.length, 'edge', 'edges')} in ${counted(loops, 'loop', 'loops')}. ${true_loops}`,
                 `${short} are shorter than ${in_voxels(kShort)}: ringed.`];
       }
-      const { loops, refused } = state.finished(state.walks(state.sites));
+      const { loops, refused } = few_points_refined(state);
       if (!state.fault) return [`Now the sites are enough: ${counted(loops.length, 'loop', 'loops')}. ${true_loops}`];
       return [`The mesh meets itself at ${state.name(state.fault.site)}, so it is no curve. ` +
-              `${counted(refused, 'edge', 'edges')} cannot be mended; the worst is ${in_voxels(largest_h(state, loops))} from \u03a3.`];
+              `${counted(refused.length, 'edge', 'edges')} cannot be mended; the worst is ` +
+              `${in_voxels(largest_h(state, loops))} from \u03a3.`];
     },
   },
   samples: {
-    controls: ['kappa', 'sample', 'again'],
+    controls: ['kappa', 'sample', 'undo', 'again'],
     draw(picture, state) {
       picture.draw_sides(null);
       picture.draw_grid();
@@ -153,7 +163,7 @@ const kPictures = {
     },
   },
   contour: {
-    controls: ['kappa', 'sample', 'again'],
+    controls: ['kappa', 'sample', 'undo', 'again'],
     draw(picture, state) {
       draw_body(picture, state);
       for (const curve of state.contour.curves) picture.polyline(curve, 'sigma dashed', true);
@@ -173,8 +183,9 @@ const kPictures = {
     },
   },
   sites: {
-    controls: kSites,
+    controls: ['undo', ...kSites],
     takes_keys: true,
+    line: (state) => state.fault ? 'recover' : state.next_facet(state.facets()) ? 'refine' : 'return',
     draw(picture, state) {
       draw_body(picture, state);
       draw_regions(picture, state);
@@ -187,8 +198,9 @@ const kPictures = {
     },
   },
   dual: {
-    controls: ['ask', 'certify', ...kSites],
+    controls: ['back', 'ask', 'play_sites', ...kSites],
     takes_keys: true,
+    line: ({ fault }) => fault?.condition ?? 'return',
     draw(picture, state) {
       draw_body(picture, state);
       picture.draw_contour(state.contour, 'contour thin', true);
@@ -198,8 +210,38 @@ const kPictures = {
     },
     tell: tell_fault,
   },
+  coarsen: {
+    controls: ['back_removal', 'remove_vertex', 'play_removals', 'limit'],
+    line: (state) => state.tried_vertex() < 0 ? 'return' : state.removal().why === '' ? 'goes' : 'refuse',
+    press(state, at) { state.chosen_vertex = nearest_vertex(state.contour, at); },
+    draw(picture, state) {
+      draw_body(picture, state);
+      for (const curve of state.contour.curves) picture.polyline(curve, 'sigma', true);
+      picture.draw_contour(state.contour, 'contour faint', false);
+      const { points } = state.contour, { loops } = state.coarsened;
+      for (const loop of loops) {
+        picture.polyline(loop.map((v) => points[v]), 'dual', true);
+        for (const v of loop) picture.dot(points[v], 'vertex', 0.09 * picture.scale + 1);
+      }
+      if (state.tried_vertex() >= 0) draw_removal(picture, state.removal(), points, state.limit);
+    },
+    tell(state) {
+      const { loops, pass } = state.coarsened, v = state.tried_vertex();
+      const left = `${loops.flat().length} of ${state.contour.points.length} vertices are left, in ` +
+                   `${counted(loops.length, 'loop', 'loops')} as in T.`;
+      if (v < 0) return [left, 'A whole pass has removed nothing: the end.'];
+      const { why, off } = state.removal();
+      return [left, `Pass ${pass}. Next is p, ${in_voxels(off)} from the new edge; D = ${state.limit.toFixed(2)}.`,
+              why === '' ? 'It may go.' : `It stays: ${why}.`];
+    },
+  },
   insertion: {
-    controls: ['insert', 'worst', 'next', 'certify', 'again'],
+    controls: ['back_round', 'insert', 'play_rounds', 'worst', 'next', 'certify', 'again'],
+    line(state) {
+      const facets = state.facets();
+      if (!state.edge && !state.next_facet(facets)) return 'end';
+      return why_not_inserted(state.field, state.kappa, facets, state.facet(facets)) === '' ? 'goes' : 'refuse';
+    },
     press(state, at) { state.edge = at; },
     draw(picture, state) {
       draw_body(picture, state);
@@ -209,38 +251,70 @@ const kPictures = {
       put_sites(picture, state);
     },
     tell(state) {
-      const facet = state.facet(state.facets());
-      return [...tell_added(state),
-              facet.x ? `h = ${in_voxels(facet.h)}; radius of the ball: ${in_voxels(facet.radius)}.`
+      const facets = state.facets(), facet = state.facet(facets), next = state.next_facet(facets);
+      const which = facet === next ? 'the largest that is left'
+                  : state.edge ? 'of the edge that you chose' : 'the largest';
+      return [...tell_added(state), ...tell_refused(state.round),
+              facet.x ? `h = ${in_voxels(facet.h)}, ${which}; D = ${state.limit.toFixed(2)}. Radius of the ball: ` +
+                        `${in_voxels(facet.radius)}.`
                       : 'The dual line does not meet \u03a3 near this edge.',
-              state.said || `${counted(state.by_hand, 'point', 'points')} inserted by hand.`];
+              next ? `${counted(state.by_hand, 'point', 'points')} inserted.`
+                   : `${counted(state.by_hand, 'point', 'points')} inserted; none is left to insert.`];
     },
   },
   mesh: {
-    controls: ['limit', 'certify', 'again'],
+    controls: ['limit', 'shown', 'certify', 'again'],
+    line(state) {
+      const { last, shown } = shown_rounds(state);
+      return shown === last ? 'return' : shown === 0 ? 'build' : 'insert';
+    },
     draw(picture, state) {
       draw_body(picture, state);
       for (const curve of state.contour.curves) picture.polyline(curve, 'sigma', true);
-      for (const loop of state.finished().loops) {
+      const { round, shown, last } = shown_rounds(state);
+      for (const loop of round.loops) {
         picture.polyline(loop, 'dual', true);
         for (const p of loop) picture.dot(p, 'vertex', 0.09 * picture.scale + 1);
       }
+      // The one that the slider has come to.
+      if (round.facet && shown < last && round.why === '') picture.dot(round.facet.x, 'surface-point', 6);
       draw_added(picture, state);
       put_sites(picture, state);
     },
     tell(state) {
-      const { loops, refused } = state.finished();
+      const { round, shown, last } = shown_rounds(state);
       // A loop has as many edges as vertices.
-      const edges = loops.reduce((sum, loop) => sum + loop.length, 0);
-      const sites = state.sites.length + state.added.length;
-      return [...tell_added(state), `${sites} sites and ${edges - sites} surface points` +
-              (state.by_hand > 0 ? ` (${state.by_hand} by hand)` : '') +
-              `: ${edges} edges. T has ${state.contour.points.length}.`,
-              `Largest h: ${in_voxels(largest_h(state, loops))}; D = ${in_voxels(state.limit)}.` +
+      const edges = round.loops.flat().length, sites = state.sites.length + state.added.length;
+      const refused = round.refused.length;
+      return [...tell_added(state), `${sites} sites and ${counted(edges - sites, 'surface point', 'surface points')}: ` +
+              `${edges} edges. T has ${state.contour.points.length}.`,
+              ...(shown < last ? [`Round ${shown} of ${last}.`] : []),
+              `Largest h: ${in_voxels(largest_h(state, round.loops))}; D = ${in_voxels(state.limit)}.` +
               (refused > 0 ? ` ${counted(refused, 'insertion was', 'insertions were')} refused.` : '')];
     },
   },
 };
+
+// The rounds of Stage 2 from K to its end, and the one that the last picture shows: at first the last.
+function shown_rounds(state) {
+  const rounds = [...state.rounds.slice(0, -1), ...state.finished()], last = rounds.length - 1;
+  const shown = Math.min(state.shown ?? last, last);
+  return { round: rounds[shown], shown, last };
+}
+
+// The vertex p that coarsening tries, the edge to come, and what may not be near it: within D on the wrong
+// side, and in the ball.
+function draw_removal(picture, { vertex, a, b, center, outwards, ball, why }, points, bound) {
+  const [dx, dy] = outwards, across = (t) => [center[0] + t * dx, center[1] + t * dy];
+  const [cx, cy] = picture.to_paper(center);
+  picture.put('circle', { cx, cy, r: ball * picture.scale, class: 'ball' });
+  const aside = (p, t) => [p[0] + t * dx, p[1] + t * dy];
+  picture.polyline([aside(a, bound), aside(b, bound), aside(b, -bound), aside(a, -bound)], 'bound', true);
+  picture.polyline([a, b], why === '' ? 'coming' : 'coming refused');
+  picture.polyline([across(-bound), across(bound)], 'height');
+  picture.dot(points[vertex], why === '' ? 'surface-point' : 'stray', 0.09 * picture.scale + (why === '' ? 3 : 6));
+  picture.text(points[vertex], 'p', 'label', [18 * dx - 4, -18 * dy + 5]);
+}
 
 // The chosen edge with its center c, dual line, surface point x, ball, and the edges to come.
 function draw_insertion(picture, state) {

@@ -35,7 +35,7 @@ function regions_of(contour, sites) {
 }
 
 // The certificate. Returns nothing if K has the topology of T. Otherwise returns the first
-// condition that fails: {kind, site, other, stray, insert}. `stray` are the vertices at fault.
+// condition that fails: {condition, kind, site, other, stray, insert}. `stray` are the vertices at fault.
 // `insert` is the one of them that is furthest from its site.
 function certificate_of(contour, sites, regions) {
   const furthest = (vertices) => vertices.reduce(
@@ -45,13 +45,13 @@ function certificate_of(contour, sites, regions) {
     if (arcs.length === 1 && !arcs[0].closed) continue;
     const others = arcs.filter((arc) => !arc.vertices.includes(sites[n]));
     const stray = (others.length > 0 ? others : arcs).flatMap((arc) => arc.vertices);
-    return { kind: others.length > 0 ? 'pieces' : 'closed', site: n, stray, insert: furthest(stray) };
+    return { condition: 'C1', kind: others.length > 0 ? 'pieces' : 'closed', site: n, stray, insert: furthest(stray) };
   }
   for (const { a, b } of regions.interfaces) {
     const shared = regions.interfaces.filter((i) => i.a === a && i.b === b || i.a === b && i.b === a);
     if (shared.length < 2) continue;
     const stray = shared.flatMap(({ from, to }) => [from, to]);
-    return { kind: 'interface', site: a, other: b, stray, insert: furthest(stray) };
+    return { condition: 'C2', kind: 'interface', site: a, other: b, stray, insert: furthest(stray) };
   }
   return null;
 }

@@ -5,10 +5,10 @@
 // polygons: {points, front, back}: closed, by the classes of its two sides; {points, line}: an open line;
 // {points, letter}: letters at a point. Where all of it is: a ball around the origin of radius 1.
 class Solid {
-  constructor(svg, polygons, width = 2.2) {
+  constructor(svg, polygons, width, height) {
     this.svg = svg;
     this.polygons = polygons;
-    svg.setAttribute('viewBox', `${-width / 2} -1.1 ${width} 2.2`);
+    svg.setAttribute('viewBox', `${-width / 2} ${-height / 2} ${width} ${height}`);
   }
 
   // yaw, pitch: in radians. The eye looks along -z.
@@ -28,7 +28,7 @@ class Solid {
       const places = points.map(([x, y]) => `${x.toFixed(3)} ${(-y).toFixed(3)}`);
       if (polygon.letter) {
         const [x, y] = places[0].split(' ');
-        return svg_element('text', { x, y, dy: '.06', style: 'font-size:.17px;stroke-width:.05px' }, polygon.letter);
+        return svg_element('text', { x, y, dy: '.06', style: 'font-size:.14px;stroke-width:.04px' }, polygon.letter);
       }
       const d = `M${places.join('L')}${polygon.line ? '' : 'Z'}`;
       const name = polygon.line ?? (area_of(points) > 0 ? polygon.front : polygon.back);
@@ -62,6 +62,31 @@ function patches_of(corners, labels) {
   });
 }
 
+// Where patches of two labels meet on a surface: lines, of two points. With '-' for the second label, the
+// first one's share of the surface's boundary. triangles: of numbers of points.
+function arcs_between(points, labels, triangles, [first, second]) {
+  const middle = (u, v) => scaled(add(points[u], points[v]), 0.5), arcs = [];
+  for (const t of triangles) {
+    const center = scaled(t.map((v) => points[v]).reduce(add), 1 / 3);
+    const is_triple = new Set(t.map((v) => labels[v])).size === 3;
+    const ends = [];
+    t.forEach((u, n) => {
+      const v = t[(n + 1) % 3];
+      if (second === '-') {
+        const is_inner = triangles.some((other) => other.some((w, k) => w === v && other[(k + 1) % 3] === u));
+        if (is_inner) return;
+        if (labels[u] === first) arcs.push([points[u], middle(u, v)]);
+        if (labels[v] === first) arcs.push([middle(u, v), points[v]]);
+      } else if ([labels[u], labels[v]].sort().join('') === first + second) {
+        if (is_triple) arcs.push([center, middle(u, v)]);
+        else ends.push(middle(u, v));
+      }
+    });
+    if (ends.length === 2) arcs.push(ends);
+  }
+  return arcs;
+}
+
 // A Voronoi cell, its neighbors' sites, and the piece of the surface in it, from the page's data.
 function cell_polygons({ sides, surface, ends }) {
   return [...sides.map((points) => ({ points, front: 'side', back: 'side' })),
@@ -70,25 +95,27 @@ function cell_polygons({ sides, surface, ends }) {
 }
 
 // A surface in patches of its labels, and K on its right.
-function labeled_polygons({ points, labels, triangles, dual, facets, wrong }) {
-  const shift = (by) => ([x, y, z]) => [x + by, y, z];
-  const at = points.map(shift(0)), of_dual = dual.map(shift(0));
+function labeled_polygons({ points: at, labels, triangles, dual: of_dual, facets, wrong, marks }) {
   const number = (n) => labels.charCodeAt(n) - 'a'.charCodeAt(0);
   const surface = triangles.flatMap((t) => [
     ...patches_of(t.map((n) => at[n]), t.map(number)).map((piece) =>
       ({ points: piece.points, front: `label${piece.label}`, back: `label${piece.label}` })),
     { points: [...t, t[0]].map((n) => at[n]), line: 'wire', lift: 0.02 }]);
-  const letters = at.map((p, n) => ({ points: [p], letter: labels[n], lift: 0.05 }));
+  const fault = marks.split(' ').flatMap((pair) => arcs_between(at, labels, triangles, pair))
+    .map((arc) => ({ points: arc, line: 'wrong', lift: 0.25 }));
+  const letters = at.map((p, n) => ({ points: [p], letter: labels[n], lift: 0.35 }));
   const k = [...facets.map((f) => ({ points: f.map((n) => of_dual[n]), front: 'dual-facet', back: 'dual-facet' })),
-             ...wrong.map((edge) => ({ points: edge.map((n) => of_dual[n]), line: 'wrong', lift: 0.03 })),
-             ...of_dual.map((p, n) => ({ points: [p], letter: 'abcde'[n], lift: 0.05 }))];
-  return [[...surface, ...letters], k];
+             ...wrong.map((edge) => ({ points: edge.map((n) => of_dual[n]), line: 'wrong', lift: 0.25 })),
+             ...of_dual.map((p, n) => ({ points: [p], letter: 'abcde'[n], lift: 0.35 }))];
+  return [[...surface, ...fault, ...letters], k];
 }
 
 // Puts the bodies into the figure, with their titles.
 function put_solids(figure, bodies) {
   const place = element('div', { class: 'solids board' }), solids = [];
-  let yaw = 0.5, pitch = 0.5;
+  // Small surfaces are flat, and seen from above.
+  const are_cells = 'sides' in bodies[0];
+  let [yaw, pitch] = are_cells ? [0.5, 0.5] : [0.25, 1];
   const draw = () => { for (const solid of solids) solid.draw(yaw, pitch); };
   const turn = (across, up) => {
     yaw += across;
@@ -96,11 +123,11 @@ function put_solids(figure, bodies) {
     draw();
   };
   for (const body of bodies) {
-    const pictures = body.sides ? [cell_polygons(body)] : labeled_polygons(body);
+    const pictures = are_cells ? [cell_polygons(body)] : labeled_polygons(body);
     const svgs = pictures.map((polygons, n) => {
       const svg = svg_element('svg', { role: 'img', tabindex: 0,
         'aria-label': `${body.title}${n === 1 ? ': K' : ''}. Arrow keys turn it.` });
-      solids.push(new Solid(svg, polygons));
+      solids.push(new Solid(svg, polygons, are_cells ? 2.1 : 2, are_cells ? 2.1 : 1.9));
       listen_to_turns(svg, turn);
       return svg;
     });

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The lesson in a browser: every picture, samples and sites that are dragged and that keys move, cells that
-# are turned, larger text. Needs Chromium or Chrome. Usage: browser.sh SOURCE_FOLDER
+# The lesson in a browser: every picture, samples and sites that are dragged and that keys move, steps forward
+# and back, cells that are turned, larger text. Needs Chromium or Chrome. Usage: browser.sh SOURCE_FOLDER
 set -eu
 browser=
 for name in chromium chromium-browser google-chrome google-chrome-stable; do
@@ -37,12 +37,13 @@ window.addEventListener('load', () => {
   const key = (target, name) => target.dispatchEvent(new KeyboardEvent('keydown', { key: name, bubbles: true }));
   const press = (name, label) => [...figure(name).querySelectorAll('button')]
     .find((button) => button.textContent === label).click();
+  const marked = (name) => figure(name).querySelector('.code [aria-current]')?.textContent ?? '';
   const move = (name, label, value) => {
     const slider = figure(name).querySelector(`input[aria-label="${label}"]`);
     slider.value = value;
     slider.dispatchEvent(new Event('input', { bubbles: true }));
   };
-  for (const name of ['need', 'samples', 'contour', 'sites', 'dual', 'insertion', 'mesh']) {
+  for (const name of ['need', 'samples', 'contour', 'sites', 'dual', 'coarsen', 'insertion', 'mesh']) {
     check(`the picture ${name} draws and speaks, in place of its drawing`,
           figure(name).querySelectorAll('.picture *').length > 50 && status(name).length > 20 &&
           figure(name).querySelector('img').offsetWidth === 0 && figure(name).querySelector('img').naturalWidth > 0);
@@ -50,10 +51,12 @@ window.addEventListener('load', () => {
   check('Marching Cubes cuts the neck', status('need').includes('2 loops'));
   for (const name of ['insertion', 'mesh']) {
     check(`${name} shows a mesh of Stage 2 on arrival`, status(name).includes('here it holds, with 1 site more') &&
-          figure(name).querySelector('.added') && [...figure(name).querySelectorAll('button')].every((b) => !b.disabled));
+          figure(name).querySelector('.added') && [...figure(name).querySelectorAll('button')]
+            .every((b) => b.textContent === 'Back' || !b.disabled));
   }
   check('so the finished mesh is there', status('mesh').includes('30 edges') &&
         figure('mesh').querySelectorAll('.vertex').length === 30);
+  check('coarsening begins with a refusal', status('coarsen').includes('It stays') && marked('coarsen').startsWith('p or'));
   press('need', 'A few points, refined');
   check('ten points meet themselves', status('need').includes('meets itself at A'));
 
@@ -66,11 +69,15 @@ window.addEventListener('load', () => {
   point(grips, 'pointerup', [at[0], at[1] + down]);
   check('a number is dragged down', Number(numbers()) < Number(was));
   check('the saddle follows', status('contour').includes('below 50: apart'));
+  const loops = document.querySelector('[data-number=loops]');
+  check('a number in the text follows, and the task is done', loops.textContent === '2 loops' &&
+        figure('contour').querySelector('.task').textContent.endsWith('Done.'));
   move('contour', 'Its value', was);
   check('and goes back by its slider', status('contour').includes('52.4, at least 50: joined'));
 
   press('dual', 'Start again');
-  check('the certificate fails at first', status('dual').includes('fails') && figure('dual').querySelector('.asked'));
+  check('the certificate fails at first, and its line is marked', status('dual').includes('C1 fails') &&
+        figure('dual').querySelector('.asked') && marked('dual').includes('C1'));
   const place = () => first.dataset.place;
   const first = figure('sites').querySelector('.handle'), before = place(), from = middle(first.querySelector('.knob'));
   point(first, 'pointerdown', from);
@@ -87,21 +94,33 @@ window.addEventListener('load', () => {
   check('its picture speaks, others are silent', figure('sites').querySelector('.status').ariaLive === 'polite' &&
         figure('dual').querySelector('.status').ariaLive === 'off');
   press('dual', 'Start again');
-  press('dual', 'Insert until it holds');
-  check('then the certificate holds', status('dual').includes('holds'));
+  press('dual', 'Make v a site');
+  check('then the certificate holds, and Stage 1 returns', status('dual').includes('holds') &&
+        marked('dual').startsWith('return') && marked('sites').includes('Refine'));
+  press('dual', 'Back');
+  check('a step back', status('dual').includes('C1 fails'));
+  press('dual', 'Make v a site');
   const ball = figure('insertion').querySelector('.ball')?.getAttribute('r');
   press('insertion', 'Insert x');
   press('insertion', 'Insert x');
   const another = figure('insertion').querySelector('.ball')?.getAttribute('r');
   check('an insertion shows another ball', ball && another && another !== ball);
-  check('the mesh counts what was inserted by hand', status('mesh').includes('19 surface points (2 by hand): 30 edges'));
+  check('points are counted', status('insertion').includes('2 points inserted') && status('mesh').includes('30 edges'));
+  press('insertion', 'Back');
+  check('an insertion is taken back', status('insertion').includes('1 point inserted'));
+  move('mesh', 'Rounds', 3);
+  check('the mesh after three insertions', status('mesh').includes('14 edges') && marked('mesh').startsWith('while'));
+  move('mesh', 'Rounds', 19);
+  press('coarsen', 'Try p');
+  check('a vertex is tried', status('coarsen').includes('38 of 38') && !figure('coarsen').querySelector('button').disabled);
   const edges = () => Number(status('mesh').match(/(\d+) edges/)?.[1]), few = edges();
   move('mesh', 'Limit D', 0.05);
   check('a smaller limit needs more edges', edges() > few);
 
   const solid = figure('cells').querySelector('svg'), seen = () => solid.innerHTML, turned = seen();
   key(solid, 'ArrowLeft');
-  check('a cell is turned', solid.children.length > 20 && seen() !== turned);
+  check('a cell is turned', solid.children.length > 20 && seen() !== turned &&
+        figure('cells').querySelectorAll('svg').length === 4);
   check('four conditions, with their duals', figure('broken').querySelectorAll('svg').length === 8);
   const root = document.documentElement;
   check('nothing is wider than the page', root.scrollWidth <= window.innerWidth);
@@ -134,7 +153,7 @@ for size in 1280,800 390,844; do
   fi
   tr '\n' ' ' <"$work/dom" | grep -o '<pre>[^<]*</pre>' | sed 's/<[^>]*>//g' >"$work/answers"
   sed "s/^/$size /" "$work/answers"
-  [ "$(grep -c '^fine' "$work/answers")" -eq 32 ] || faults=1
+  [ "$(grep -c '^fine' "$work/answers")" -eq 39 ] || faults=1
   if grep 'CONSOLE' "$work/log"; then faults=1; fi
 done
 exit $faults

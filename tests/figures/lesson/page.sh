@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # docs/index.html is what its sources give, and asks nothing of others but its drawings. Its prices are those
 # of docs/results.md. The site has what the page links, or links the repository.
-# Usage: page.sh SOURCE_FOLDER LESSON
+# Usage: page.sh SOURCE_FOLDER LESSON DELISO
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -27,7 +27,7 @@ for picture in $(grep -oE 'data-(picture|solids)="[a-z]*"' "$page" | cut -d '"' 
   grep -A 1 "=\"$picture\"" "$page" | grep -q '<img src="guide/figures/.* alt="..........*"' ||
     { echo "no drawing of $picture"; exit 1; }
 done
-[ "$(grep -c '<figure data-picture=' "$page")" -eq 7 ]
+[ "$(grep -c '<figure.* data-picture=' "$page")" -eq 8 ]
 grep -o 'src="[^"]*"' "$page" | cut -d '"' -f 2 | while read -r drawing; do
   test -f "$1/docs/$drawing" || { echo "no $drawing"; exit 1; }
 done
@@ -43,13 +43,17 @@ for volume in FUEL ENGINE; do
     grep -q "^<tr>.*<td>$price</td>" "$page" || { echo "$volume: no $price on the page"; exit 1; }
   done <"$work/prices"
 done
-make -s -C "$1" site SITE="$work/site"
+make -s -C "$1" site SITE="$work/site" DELISO="$3"
 links() { grep -o 'href="[^"#]*' "$work/site/index.html" | cut -d '"' -f 2 | grep . | sort -u; }
 [ "$(links | wc -l)" -ge 15 ]
 for file in $(links) $(grep -o 'src="[^"]*"' "$work/site/index.html" | cut -d '"' -f 2); do
   test -f "$work/site/$file" || { echo "the site has no $file"; exit 1; }
 done
-make -s -C "$1" site SITE="$work/site" REPOSITORY=https://host/owner/name
+if grep -qE 'data-(site|page)' "$work/site/index.html"; then
+  echo 'the site hides a link that it has'
+  exit 1
+fi
+make -s -C "$1" site SITE="$work/site" REPOSITORY=https://host/owner/name DELISO="$3"
 for link in $(links); do
-  test -f "$1/${link#https://host/owner/name/blob/main/}" || { echo "no $link"; exit 1; }
+  test -f "$1/${link#https://host/owner/name/blob/main/}" || test -f "$work/site/$link" || { echo "no $link"; exit 1; }
 done

@@ -194,12 +194,12 @@ function topology_of(polygons) {
   return { euler: used.size - edges.size + facets, pieces };
 }
 
-test('cells: closed bodies that hold a disk, a ring, two disks', () => {
+test('cells: closed bodies that hold a disk, a ring, two disks, a disk and a ball', () => {
   const page = fs.readFileSync(path.join(root, 'docs/index.html'), 'utf8');
   const { cells } = JSON.parse(/id="header">(.*?)<\/script>/s.exec(page)[1]);
-  assert.deepEqual(cells.map(({ sides }) => topology_of(sides)), Array(3).fill({ euler: 2, pieces: 1 }));
+  assert.deepEqual(cells.map(({ sides }) => topology_of(sides)), Array(4).fill({ euler: 2, pieces: 1 }));
   assert.deepEqual(cells.map(({ surface }) => topology_of(surface)),
-                   [{ euler: 1, pieces: 1 }, { euler: 0, pieces: 1 }, { euler: 2, pieces: 2 }]);
+                   [{ euler: 1, pieces: 1 }, { euler: 0, pieces: 1 }, { euler: 2, pieces: 2 }, { euler: 3, pieces: 2 }]);
   for (const point of cells.flatMap(({ sides, surface }) => [...sides, ...surface].flat())) {
     assert.ok(length_of(point) < 1.01);
   }
@@ -313,8 +313,8 @@ test('Stage 2: the limit is kept or refused, the loops stay, and no edges come t
   for (const { seed, field, contour, sites } of scenes()) {
     const all = certify(contour, sites), regions = regions_of(contour, all);
     const loops = dual_loops(contour, regions).map((loop) => loop.map((n) => contour.points[all[n]]));
-    const crossings = () => {
-      const facets = facets_of(field, kKappa, loops);
+    const crossings = (mesh) => {
+      const facets = facets_of(field, kKappa, mesh);
       let count = 0;
       facets.forEach((f, n) => facets.slice(n + 1).forEach((g) => {
         const is_apart = f.a !== g.b && f.b !== g.a;
@@ -322,16 +322,28 @@ test('Stage 2: the limit is kept or refused, the loops stay, and no edges come t
       }));
       return count;
     };
-    const before = loops.map((loop) => [...loop]), crossed = crossings();
-    const outcome = refine(field, kKappa, loops, 0.1, 0.1);
-    inserted += outcome.inserted;
-    const over = facets_of(field, kKappa, loops).filter((f) => f.h > 0.1 && distance(f.a, f.b) > 0.2);
-    assert.equal(over.length, outcome.refused, `seed ${seed}`);
-    loops.forEach((loop, l) => {
-      assert.deepEqual(loop.filter((p) => before[l].includes(p)), before[l]);
+    const crossed = crossings(loops), rounds = refine(field, kKappa, first_round(loops), 0.1, 0.1);
+    const last = rounds.at(-1);
+    // A round inserts one point or none, and says so.
+    rounds.slice(1).forEach(({ loops: after, facet, why }, n) => {
+      const [more, less] = [after, rounds[n].loops].map((all) => all.flat().length);
+      assert.equal(more - less, why === '' ? 1 : 0, `seed ${seed}`);
+      assert.equal(after.flat().includes(facet.x), why === '');
+      if (why === '') ++inserted;
+      // None is tried again before a neighbor has changed.
+      const earlier = rounds.slice(0, n + 1).findLastIndex((round) => round.facet && is_same_edge(round.facet, facet));
+      if (earlier >= 0) {
+        assert.ok(rounds.slice(earlier, n + 1).some((round) => round.why === '' &&
+          [round.facet.a, round.facet.b].some((p) => p === facet.a || p === facet.b)), `seed ${seed}`);
+      }
+    });
+    const over = facets_of(field, kKappa, last.loops).filter((f) => f.h > 0.1 && distance(f.a, f.b) > 0.2);
+    assert.equal(over.length, last.refused.length, `seed ${seed}`);
+    last.loops.forEach((loop, l) => {
+      assert.deepEqual(loop.filter((p) => loops[l].includes(p)), loops[l]);
       for (const p of loop) assert.ok(Math.abs(field.value(p) - kKappa) < 1e-4);
     });
-    assert.ok(crossings() <= crossed, `seed ${seed}`);
+    assert.ok(crossings(last.loops) <= crossed, `seed ${seed}`);
   }
   assert.ok(inserted > 1000);
 });
@@ -357,15 +369,217 @@ test('insertion: refused exactly where a ball, a half or a crossing is against i
       else if (!facet_of(field, kKappa, a, x).x || !facet_of(field, kKappa, x, b).x) expected = 'half';
       else if (others.some((g) => g.b !== a && cross(a, x, g.a, g.b) || g.a !== b && cross(x, b, g.a, g.b)))
         expected = 'crossing';
-      const changed = loops.map((loop) => [...loop]);
-      const why_not = insert_surface_point(field, kKappa, changed, facets, f);
+      const why_not = why_not_inserted(field, kKappa, facets, f);
       assert.equal(why_not === '', expected === 'done', `seed ${seed}: ${expected}, ${why_not}`);
-      if (expected === 'done') changed[f.loop].splice(f.n + 1, 1);
-      assert.deepEqual(changed, loops);
       ++counts[expected];
     }
   }
   for (const [what, count] of Object.entries(counts)) assert.ok(count > 0, what);
+});
+
+test('coarsening: what goes may go, what is left may not, the loops stay, and no edges come to cross', () => {
+  let removed = 0;
+  const refused = new Set();
+  for (const { seed, field, contour } of scenes()) {
+    const rounds = coarsen(field, kKappa, contour, uncoarsened(contour), 0.2);
+    rounds.slice(1).forEach(({ loops, vertex, why }, n) => {
+      const before = rounds[n].loops, l = before.findIndex((loop) => loop.includes(vertex));
+      assert.deepEqual(loops, before.map((loop) => loop.filter((v) => why !== '' || v !== vertex)), `seed ${seed}`);
+      if (why !== '') return refused.add(why);
+      ++removed;
+      // Straight on from the middle of the new edge Sigma comes within the limit, with its inside on the left.
+      const at = before[l].indexOf(vertex), size = before[l].length;
+      const [a, b] = [at + size - 1, at + 1].map((k) => contour.points[before[l][k % size]]);
+      const m = between(a, b, 0.5), step = 0.2 / distance(a, b);
+      const left = field.value([m[0] - (b[1] - a[1]) * step, m[1] + (b[0] - a[0]) * step]);
+      const right = field.value([m[0] + (b[1] - a[1]) * step, m[1] - (b[0] - a[0]) * step]);
+      assert.ok(left >= kKappa && right < kKappa, `seed ${seed}`);
+      // By Heron's formula, where the lesson goes by a cross product.
+      const p = contour.points[vertex], sides = [distance(a, b), distance(p, a), distance(p, b)];
+      const half = sides.reduce((sum, x) => sum + x) / 2;
+      const area2 = half * (half - sides[0]) * (half - sides[1]) * (half - sides[2]);
+      assert.ok(2 * Math.sqrt(Math.max(area2, 0)) / sides[0] < 0.2 + 1e-6, `seed ${seed}`);
+    });
+    const { loops } = rounds.at(-1);
+    loops.forEach((loop, l) => {
+      assert.ok(loop.length >= Math.min(3, contour.loops[l].length), `seed ${seed}`);
+      for (const v of loop) assert.notEqual(removal_of(field, kKappa, contour, loops, v, 0.2).why, '', `seed ${seed}`);
+    });
+    const edges = (all) => all.flatMap((loop) => loop.map((v, n) => [v, loop[(n + 1) % loop.length]]));
+    const crossings = (all) => edges(all).flatMap(([a, b], n, list) => list.slice(n + 1).filter(([c, d]) =>
+      ![c, d].includes(a) && ![c, d].includes(b) && segments_cross(...[a, b, c, d].map((v) => contour.points[v])))).length;
+    assert.equal(crossings(loops), crossings(contour.loops), `seed ${seed}`);
+  }
+  assert.ok(removed > 1000 && refused.size === 4);
+});
+
+const new_state = () => {
+  const page = fs.readFileSync(path.join(root, 'docs/index.html'), 'utf8');
+  return new State(JSON.parse(/id="header">(.*?)<\/script>/s.exec(page)[1]));
+};
+// All that the reader has made, as text.
+const made = ({ kappa, field, sites, rounds, coarse, chosen_sample }) =>
+  JSON.stringify([kappa, field.samples, sites, rounds, coarse, chosen_sample]);
+
+test('steps: each goes back to what was before it, and forward again to the same', () => {
+  const random = random_from(3), state = new_state();
+  let stage1 = 0, stage2 = 0, removals = 0;
+  for (let n = 0; n < 300; ++n) {
+    const v = random.below(state.contour.points.length), way = random.below(9);
+    const before = made(state);
+    if (way === 0) state.set_kappa(40 + random.below(26));
+    if (way === 1) state.add_site(v);
+    if (way === 2) state.remove_site(random.below(state.sites.length));
+    if (way === 3 && state.fault) state.add_site(state.fault.insert);
+    if (way === 4) state.start_again();
+    if (way < 5) {
+      if (made(state) === before) continue;
+      ++stage1;
+      const after = made(state), { past } = state;
+      // Changes of kappa in a row are one change.
+      if (way !== 0 || past.at(-1).kind !== 'isovalue') {
+        state.undo();
+        assert.equal(made(state), before, `step ${n}`);
+        if (way === 3) {
+          state.add_site(state.fault.insert);
+          assert.equal(made(state), after);
+        }
+      }
+      continue;
+    }
+    const [go, back] = way < 7 ? ['insert', 'take_back_round'] : ['remove_vertex', 'take_back_removal'];
+    if (way < 7) state.edge = random.below(2) ? state.contour.points[v] : null;
+    else state.chosen_vertex = random.below(2) ? v : -1;
+    const { edge, chosen_vertex } = state;
+    state[go]();
+    const after = made(state);
+    if (after === before) continue;
+    if (way < 7) ++stage2;
+    else ++removals;
+    state[back]();
+    assert.equal(made(state), before, `step ${n}`);
+    Object.assign(state, { edge, chosen_vertex });
+    state[go]();
+    assert.equal(made(state), after, `step ${n}`);
+  }
+  assert.ok(stage1 > 50 && stage2 > 50 && removals > 20);
+  while (state.past.length > 0) state.undo();
+  assert.deepEqual([state.kappa, state.field.samples, state.sites],
+                   [new_state().kappa, new_state().field.samples, new_state().sites]);
+  // A drag is one change.
+  for (const n of [1, 2, 3]) state.move_site(0, state.contour.next[state.sites[0]]);
+  state.undo();
+  assert.deepEqual(state.sites, new_state().sites);
+});
+
+test('code: the marked line is what the next step does', () => {
+  const state = new_state();
+  const { sites, dual, coarsen: coarsening, insertion, mesh } = kPictures;
+  assert.deepEqual([sites.line(state), dual.line(state)], ['recover', 'C1']);
+  state.add_site(state.fault.insert);
+  assert.deepEqual([sites.line(state), dual.line(state)], ['refine', 'return']);
+  for (let n = 0; insertion.line(state) !== 'end'; ++n) {
+    const line = insertion.line(state);
+    state.insert();
+    assert.equal(state.round.why === '', line === 'goes', `round ${n}`);
+  }
+  assert.equal(sites.line(state), 'return');
+  for (const [shown, line] of [[0, 'build'], [5, 'insert'], [null, 'return']]) {
+    state.shown = shown;
+    assert.equal(mesh.line(state), line);
+  }
+  for (let n = 0; coarsening.line(state) !== 'return'; ++n) {
+    const line = coarsening.line(state);
+    state.remove_vertex();
+    assert.equal(state.coarsened.why === '', line === 'goes', `round ${n}`);
+  }
+  // All that the pictures mark stands on the page.
+  const page = fs.readFileSync(path.join(root, 'figures/lesson/web/lesson.html'), 'utf8');
+  const lines = [...page.matchAll(/data-line="(.*?)"/g)].map((match) => match[1]);
+  for (const line of ['recover', 'C1', 'C2', 'goes', 'refuse', 'end', 'build', 'insert', 'return']) {
+    assert.ok(lines.includes(line), line);
+  }
+});
+
+test('tasks: none is done at first, and each can be; numbers in the text are those of the beginning', () => {
+  const ways = {
+    cubes: (s) => s.set_kappa(53),
+    saddles: (s) => {
+      s.choose_sample(6, 5);
+      s.set_sample(40);
+      s.choose_sample(5, 5);
+      s.set_sample(60);
+    },
+    neck: (s) => {
+      s.choose_sample(6, 4);
+      s.set_sample(49);
+    },
+    pieces: (s) => {
+      // Some site at some other vertex.
+      for (let n = 0; n < 10; ++n) {
+        for (let v = 0; v < s.contour.points.length && !kTasks.pieces(s); ++v) {
+          if (s.sites.includes(v)) continue;
+          const before = s.sites[n];
+          s.move_site(n, v);
+          if (!kTasks.pieces(s)) s.move_site(n, before);
+        }
+      }
+    },
+    c1: (s) => s.add_furthest_site(),
+    coarse: (s) => {
+      s.limit = 0.3;
+      while (s.coarsened.waiting.length > 0) s.remove_vertex();
+    },
+    refused: (s) => {
+      for (const { center } of s.facets()) {
+        s.edge = center;
+        s.insert();
+        if (s.round.why !== '') return;
+        s.take_back_round();
+      }
+    },
+    edges: (s) => { s.limit = 0.3; },
+  };
+  const page = fs.readFileSync(path.join(root, 'docs/index.html'), 'utf8');
+  const asked = [...page.matchAll(/data-task="(.*?)"/g)].map((match) => match[1]);
+  assert.deepEqual(asked.sort(), Object.keys(kTasks).sort());
+  for (const name of asked) {
+    const state = new_state();
+    assert.ok(!kTasks[name](state), name);
+    ways[name](state);
+    assert.ok(kTasks[name](state), name);
+  }
+  const numbers = [...page.matchAll(/<output\s+data-number="(.*?)">(.*?)<\/output>/g)];
+  assert.ok(numbers.length >= 8);
+  for (const [, name, text] of numbers) assert.equal(text, String(kNumbers[name](new_state())), name);
+});
+
+test('faults on small surfaces: two arcs, two triangles, two ends, as their titles say', () => {
+  const page = fs.readFileSync(path.join(root, 'docs/index.html'), 'utf8');
+  const { broken } = JSON.parse(/id="header">(.*?)<\/script>/s.exec(page)[1]);
+  // Chains of the arcs that a pair of labels marks: [how many, how many of them are closed].
+  const chains = ({ points, labels, triangles }, pairs) => {
+    const arcs = pairs.flatMap((pair) => arcs_between(points, labels, triangles, pair)), ends = new Map(), parent = [];
+    const root_of = (n) => parent[n] === n ? n : root_of(parent[n]);
+    const key = (p) => p.map((x) => x.toFixed(4)).join();
+    arcs.flat().forEach((p) => {
+      if (!ends.has(key(p))) {
+        ends.set(key(p), { number: parent.length, count: 0 });
+        parent.push(parent.length);
+      }
+      ++ends.get(key(p)).count;
+    });
+    for (const [p, q] of arcs) parent[root_of(ends.get(key(p)).number)] = root_of(ends.get(key(q)).number);
+    const all = new Set(parent.map((_, n) => root_of(n)));
+    const open = new Set([...ends.values()].filter(({ count }) => count === 1).map(({ number }) => root_of(number)));
+    return [all.size, all.size - open.size];
+  };
+  const [c1, c2, c3, c4] = broken;
+  assert.deepEqual(chains(c1, c1.marks.split(' ')), [2, 2]);  // both ends of the annulus
+  assert.deepEqual(chains(c2, ['ab']), [2, 0]);
+  assert.deepEqual(chains(c3, ['ab']), [1, 0]);               // from one triangle abc to the other
+  assert.deepEqual(chains(c3, c3.marks.split(' ')), [1, 1]);
+  assert.deepEqual(chains(c4, ['b-']), [2, 0]);
 });
 
 test('the lesson itself: what its text and the pictures of the guide say', () => {
@@ -381,18 +595,21 @@ test('the lesson itself: what its text and the pictures of the guide say', () =>
     'The certificate fails; here it holds, with 1 site more (dashed).',
     '11 sites and 19 surface points: 30 edges. T has 38.']);
   assert.match(kPictures.insertion.tell(state).join(' '), /with 1 site more.* h = 0\.\d\d voxels/);
+  assert.match(kPictures.dual.tell(state).join(' '), /^C1 fails\. .*in 2 pieces\. Next comes v: the ringed vertex, 0\.91 voxels from A/);
+  assert.match(kPictures.coarsen.tell(state).join(' '), /^38 of 38 .*It stays: it would be further than D/);
   assert.equal(state.sites.length, 10);
   state.set_kappa(53);
   assert.equal(state.contour.loops.length, 2);
   state.start_again();
   state.add_site(state.fault.insert);
   assert.equal(state.fault, null);
-  const { loops, inserted, refused } = state.finished();
-  assert.deepEqual([state.sites.length, inserted, loops[0].length, refused], [11, 19, 30, 0]);
+  const rounds = state.finished(), { loops, refused } = rounds.at(-1);
+  assert.deepEqual([state.sites.length, rounds.length - 1, loops[0].length, refused.length], [11, 19, 30, 0]);
   // What is told counts points that were inserted by hand.
   state.insert();
   state.insert();
-  assert.equal(kPictures.mesh.tell(state)[0], '11 sites and 19 surface points (2 by hand): 30 edges. T has 38.');
+  assert.equal(kPictures.mesh.tell(state)[0], '11 sites and 19 surface points: 30 edges. T has 38.');
+  assert.match(kPictures.insertion.tell(state).join(' '), /2 points inserted\./);
   state.start_again();
   state.way = 'few';
   assert.match(kPictures.need.tell(state)[0], /meets itself at A/);
@@ -403,7 +620,8 @@ test('the lesson itself: what its text and the pictures of the guide say', () =>
     state.set_kappa(kappa);
     state.certify();
     assert.equal(state.fault, null, `isovalue ${kappa}`);
-    const most = Math.max(...facets_of(state.field, kappa, state.finished().loops).map((f) => f.h));
-    assert.ok(most <= 0.1 || state.finished().refused > 0, `isovalue ${kappa}`);
+    const { loops, refused } = state.finished().at(-1);
+    const most = Math.max(...facets_of(state.field, kappa, loops).map((f) => f.h));
+    assert.ok(most <= 0.1 || refused.length > 0, `isovalue ${kappa}`);
   }
 });
