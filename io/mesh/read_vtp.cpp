@@ -158,7 +158,7 @@ class VtpParser {
         mesh.colors[t][n] = static_cast<std::uint8_t>(byte);
       });
     }
-    const auto has_labels = [](const auto& array) {
+    const auto has_labels = [&](const XmlTag& array) {
       return is_of(array, "Int32", 1) || is_of(array, "Int64", 1);
     };
     if (!has_labels(fronts_) || !has_labels(behinds_)) return;
