@@ -49,7 +49,8 @@ def read_volume(line, folder):
     samples = np.frombuffer(samples, {"float": "f4", "double": "f8"}.get(field["type"], field["type"]))
     return Volume(seed, kind, float(isovalue), closed == "closed", path,
                   samples.reshape([int(n) for n in field["sizes"].split()], order="F"),
-                  tuple(float(s) for s in field["spacings"].split()))
+                  tuple(float(step.strip("()").split(",")[axis])
+                        for axis, step in enumerate(field["space directions"].split())))
 
 
 def has_tie(volume):
