@@ -49,12 +49,12 @@ std::string lower(std::string_view text) {
 }
 
 std::string with_long_numbers(std::string_view name) {
-  constexpr std::string_view kDigits = "0123456789";
+  constexpr std::string_view kDecimals = "0123456789";
   std::string out;
   while (!name.empty()) {
-    const std::size_t digits = std::min(name.find_first_not_of(kDigits), name.size());
+    const std::size_t digits = std::min(name.find_first_not_of(kDecimals), name.size());
     if (digits > 0 && digits < 20) out.append(20 - digits, '0');
-    const std::size_t end = std::min(name.find_first_of(kDigits, digits), name.size());
+    const std::size_t end = std::min(name.find_first_of(kDecimals, digits), name.size());
     out += name.substr(0, end);
     name.remove_prefix(end);
   }
