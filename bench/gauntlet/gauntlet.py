@@ -195,7 +195,7 @@ def report(scores, versions, volumes, ties, first_seed):
 
 
 def put_into(page, text):
-    begin, end = "<!-- gauntlet: made by make gauntlet -->\n", "<!-- gauntlet: end -->\n"
+    begin, end = "<!--gauntlet: made by make gauntlet-->\n", "<!--gauntlet: end-->\n"
     before, rest = page.read_text().split(begin)
     page.write_text(before + begin + "\n" + text + "\n\n" + end + rest.split(end)[1])
 

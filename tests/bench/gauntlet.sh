@@ -38,7 +38,7 @@ TOOLS = [Tool("right", "{build}/deliso --version", MESH), Tool("absent", "no_suc
          Tool("largest", there, MESH + " --largest 1"), Tool("crossed", there, crossed),
          Tool("fan", there, fan), Tool("opened", there, opened), Tool("crash", there, crash)]
 END
-printf '%s\n' before '<!-- gauntlet: made by make gauntlet -->' old '<!-- gauntlet: end -->' after >"$work/page.md"
+printf '%s\n' before '<!--gauntlet: made by make gauntlet-->' old '<!--gauntlet: end-->' after >"$work/page.md"
 GAUNTLET=$source/bench/gauntlet "$python" -B "$source/bench/gauntlet/gauntlet.py" "$build" "$work/out" \
   --count 3 --first-seed 7 --jobs 2 --tools "$work/tools.py" --page "$work/page.md" >"$work/told" 2>"$work/err"
 
