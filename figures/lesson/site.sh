@@ -16,15 +16,16 @@ mkdir -p "$out"
 "$deliso" builtin:torus:16 -q -o "$out/torus.ply"
 "$deliso" view "$out/torus.ply" -o "$out/torus-mesh.html" >/dev/null
 if [ -n "$repository" ]; then
-  readme=$repository/blob/main/README.md pages=$repository/blob/main/docs/
+  root=$repository/blob/main/ pages=$repository/blob/main/docs/
 else
-  readme=README.md pages=
+  root='' pages=''
   cp "$docs/../README.md" "$docs"/*.md "$out/"
-  mkdir -p "$out/guide"
+  mkdir -p "$out/guide" "$out/course"
   cp "$docs"/guide/*.md "$out/guide/"
+  cp "$docs/../course/README.md" "$out/course/"
 fi
 # Links that the page has on a site only: what they lead to is made here.
-sed -E "s|<li hidden data-site>|<li>|;s|data-page=|href=|g;s|href=\"\.\./README\.md|href=\"$readme|g;s|href=\"([A-Za-z/-]+\.md)|href=\"$pages\1|g" "$docs/index.html" \
+sed -E "s|<li hidden data-site>|<li>|;s|data-page=|href=|g;s|href=\"\.\./|href=\"$root|g;s|href=\"([A-Za-z/-]+\.md)|href=\"$pages\1|g" "$docs/index.html" \
   >"$out/index.html"
 mkdir -p "$out/guide/figures"
 grep -o 'src="[^"]*"' "$docs/index.html" | cut -d '"' -f 2 | while read -r drawing; do
