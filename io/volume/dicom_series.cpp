@@ -111,6 +111,7 @@ std::string line_of(const VolumeInput& input, const Stack& stack) {
 
 [[noreturn]] void refuse_choice(const VolumeInput& input, const std::vector<Stack>& stacks) {
   std::vector<std::string> lines;
+  lines.reserve(stacks.size());
   for (const Stack& stack : stacks) lines.push_back(line_of(input, stack));
   std::string list;
   std::size_t listed = 0;

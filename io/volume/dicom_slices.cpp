@@ -264,7 +264,7 @@ void set_step(DicomStack& stack, const VolumeInput& input) {
 }  // namespace
 
 std::string name_beside(const DicomSlice& slice, const DicomSlice& other) {
-  const std::string frame = other.file->frame_count == 1 ? "" : text("frame ", other.frame + 1);
+  std::string frame = other.file->frame_count == 1 ? "" : text("frame ", other.frame + 1);
   if (slice.file == other.file) return frame;
   return text("'", base_name(*other.file), frame.empty() ? "'" : "', ", frame);
 }

@@ -2,6 +2,7 @@
 // NRRD, by teem's "Definition of NRRD File Format". A magic line is first, then lines "field:
 // value", an empty line, and the data. The data may also be in another file.
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -195,7 +196,7 @@ std::optional<std::array<std::uint8_t, 3>> color_in(std::string_view shares) {
   std::array<std::uint8_t, 3> color{};
   for (std::size_t n = 0; n < color.size(); ++n) {
     if (!((*numbers)[n] >= 0 && (*numbers)[n] <= 1)) return std::nullopt;
-    color[n] = static_cast<std::uint8_t>(255 * (*numbers)[n] + 0.5);
+    color[n] = static_cast<std::uint8_t>(std::lround(255 * (*numbers)[n]));
   }
   return color;
 }
