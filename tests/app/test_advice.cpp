@@ -12,6 +12,7 @@
 
 #include "app/parsed_line.h"
 #include "app/progress.h"
+#include "app/run.h"
 #include "base/check.h"
 #include "base/text.h"
 #include "base/vec3.h"
@@ -108,6 +109,17 @@ TEST_CASE("a label that fills the volume is a block with --cap") {
   CHECK(warnings(full, "--label 1 --cap", &block) == Lines{});
   CHECK(block.points.size() == 8);
   CHECK(block.faces.size() == 12);
+  // A part that is joined knows of the label by its options alone.
+  const TemporaryFolder folder;
+  const std::string volume = folder.write("full.raw", std::string(64, 1)),
+                    one = folder / "one.part";
+  const std::string mesh = folder / "whole.ply", other = folder / "joined.ply";
+  const std::string options = volume + " --dims 4x4x4 --type uint8 --label 1 --cap -q -o ";
+  CHECK(run_mesh(parsed(options + mesh)) == kExitSuccess);
+  CHECK(run_mesh(parsed(options + one + " --part 1/1")) == kExitSuccess);
+  CHECK(run_join(parsed("join " + one + " --volume " + volume + " -q -o " + other)) ==
+        kExitSuccess);
+  CHECK(file_bytes(other) == file_bytes(mesh));
   CHECK(warnings(full, "--label 1") ==
         Lines{"no surface around label 1, which fills the volume: --cap makes the block "
               "(--allow-empty accepts that)"});
