@@ -97,6 +97,11 @@ TEST_CASE("a label that the border cuts is told of, with the option that closes 
         Lines{"the mesh of label 1 is open at the volume's border: --cap closes it"});
   CHECK(warnings(ball(1, 1.4), "--label 1 --cap") == Lines{});
   CHECK(warnings(ball(1, 5.4), "--label 1") == Lines{});
+  // All of the border: it is open there, and has no loop.
+  const ByteAt around = [](const Vec3& p) { return 1 - ball(1, 5.4)(p); };
+  CHECK(warnings(around, "--label 1") ==
+        Lines{"the mesh of label 1 is open at the volume's border: --cap closes it"});
+  CHECK(warnings(around, "--label 1 --cap") == Lines{});
   CHECK(border_advice(std::vector<std::int64_t>{}).empty());
   CHECK(border_advice(std::vector<std::int64_t>{2, 5}) ==
         "the meshes of labels 2, 5 are open at the volume's border: --cap closes them");
