@@ -2,17 +2,32 @@
 #include "app/bring_home.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "delaunay/predicates.h"
+#include "io/files/text_scan.h"
 #include "io/mesh/to_float.h"
 
 namespace deliso {
+namespace {
+
+// True if x is a float, or what a text has for one: the decimal with the fewest digits that is
+// nearest to this float and to no other.
+bool is_float(double x) {
+  if (to_float(x) == x) return true;
+  char text[32];
+  const std::to_chars_result end = std::to_chars(text, text + sizeof text, static_cast<float>(x));
+  return to_double({text, end.ptr}) == x;
+}
+
+}  // namespace
 
 bool is_single_precision(const TriMesh& mesh) {
-  return std::ranges::all_of(mesh.points, [](const Vec3& p) { return to_float(p) == p; });
+  return std::ranges::all_of(
+      mesh.points, [](const Vec3& p) { return is_float(p.x) && is_float(p.y) && is_float(p.z); });
 }
 
 double bring_home(TriMesh& mesh, const Frame& volume) {

@@ -7,7 +7,8 @@
 
 namespace deliso {
 
-// True if every coordinate is a float, so that the mesh may have been rounded to floats.
+// True if every coordinate is a float, or its shortest text in decimal digits, so that the mesh may
+// have been rounded to floats.
 bool is_single_precision(const TriMesh& mesh);
 
 // Maps the mesh to the volume's scaled frame, in place. If both name a patient's space, it is out

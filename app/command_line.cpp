@@ -102,7 +102,10 @@ void refuse_unknown_command(std::string_view word, bool another_input) {
 
 // True if an option is about the volume of a picture or page.
 bool reads_volume(const CommandLine& line) {
-  return line.isovalue || line.read.raw || line.read.roi || line.field.any();
+  const ReadOptions& read = line.read;
+  return line.isovalue || read.raw || read.roi || read.array || read.series || read.channel ||
+         read.time || read.spacing || read.origin || read.space != AnatomicalSpace::unknown ||
+         line.field.nan || line.field.any();
 }
 
 // True if the surface is known: from an isovalue, or from labels.

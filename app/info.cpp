@@ -89,7 +89,7 @@ std::string suggestions_text(const Info& info) {
 Info find_info(const Input& input, const CommandLine& line, Progress& progress) {
   const Volume& volume = input.volume();
   progress.show("histogram", 0);
-  const bool of_ids = !input.log.ids.empty();
+  const bool of_ids = !input.log.ids.empty() && !input.field.label;
   const ValueRange range = of_ids ? value_range(volume) : *input.range;
   Info info{input, make_histogram(volume, range, kBins), {}, {}, {}, 0, {}, 0, {}, 0};
   progress.show("thresholds", 0);

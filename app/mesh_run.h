@@ -57,13 +57,16 @@ struct MeshRun {
   bool has_solid() const { return line.options.cap && report.cap.failure.empty(); }
   // True if it is closed: by caps, or as the surface of labels inside the box.
   bool has_volume() const {
-    return has_solid() || (input.field.label && !line.options.cap && mesh.boundary_loops == 0);
+    return has_solid() || (input.field.label && !line.options.cap && !reaches_border());
   }
   // True of labels that reach the volume's border, where nothing closes their mesh. A warning about
   // the input says that they are none.
   bool is_open_label() const {
-    return input.field.label && input.warning.empty() && !line.options.cap &&
-           mesh.boundary_loops > 0;
+    return input.field.label && input.warning.empty() && !line.options.cap && reaches_border();
+  }
+  // True if the inside has a part of the volume's border, or all of it: then no loop tells.
+  bool reaches_border() const {
+    return mesh.boundary_loops > 0 || input.volume().sample(0, 0, 0) >= *input.isovalue;
   }
   // Returns the share by which it differs from the volume of the label's voxels.
   double volume_difference() const { return volume / input.field.label->volume - 1; }

@@ -272,7 +272,7 @@ void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress, const W
 }
 
 void require_surface(const MeshRun& run, const TriMesh& mesh) {
-  const bool capped = run.line.options.cap && !run.input.field.label;
+  const bool capped = run.line.options.cap && !run.line.field.of_labels();
   const std::size_t facets = capped ? run.report.cap.surface_triangles : mesh.faces.size();
   if (facets > 0 || run.line.allow_empty) return;
   throw InputError("the mesh at isovalue ", *run.input.isovalue,

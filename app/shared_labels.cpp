@@ -115,7 +115,8 @@ void find_sides(SharedRun& run, const Partition& partition) {
 }
 
 // Counts, measures and tests the mesh of each label.
-void examine_labels(SharedRun& run, const Volume& volume) {
+void examine_labels(SharedRun& run, const Partition& partition) {
+  const Volume& volume = run.input.volume();
   const Vec3 s = volume.spacing();
   for_each_task(run.line.options.threads, run.labels.size(), [&](std::size_t body) {
     SharedLabel& l = run.labels[body];
@@ -127,7 +128,10 @@ void examine_labels(SharedRun& run, const Volume& volume) {
     // With --cap the background is counted with caps that its mesh has not.
     l.mesh = l.label.label == 0 ? run.mesh.topology[body] : counts;
     l.exact = run.mesh.exact[body];
-    if (counts.boundary_loops == 0) {
+    // A label that has all of the border has no loop there either.
+    const bool is_open = counts.boundary_loops > 0 ||
+                         (!run.line.options.cap && partition.body_at({0, 0, 0}) == body);
+    if (!is_open) {
       l.mesh_volume = world_volume(enclosed_volume(mesh), volume.frame());
     }
     l.fault = check_mesh(mesh);
@@ -175,7 +179,7 @@ void mesh_labels(SharedRun& run, Progress& progress, const Warn& warn) {
   progress.show("check", 0);
   const Stopwatch watch;
   find_sides(run, partition);
-  examine_labels(run, volume);
+  examine_labels(run, partition);
   examine_whole(run, warn);
   const CountedMesh asked = counted_mesh(run);
   if (count_stop(asked) != CountStop::none) warn(count_text(asked));

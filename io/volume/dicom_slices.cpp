@@ -247,7 +247,9 @@ void set_step(DicomStack& stack, const VolumeInput& input) {
     grid.steps[2] = whole / count;
     if (worst > kNotedSteps * length(grid.steps[2])) {
       input.note("slices lie up to ", rounded_length(worst), " from the even steps of ",
-                 rounded_length(length(grid.steps[2])), " with which they are read");
+                 rounded_length(length(grid.steps[2])),
+                 input.options.spacing ? ", and are read as they are, by --spacing"
+                                       : " with which they are read");
     }
   } else {
     const double steps =

@@ -233,7 +233,8 @@ Volume read_nifti(const VolumeInput& input) {
   const std::optional<NiftiHeader> header = parse_header(head);
   if (!header) refuse_gzip(input.name());
   SampleGrid grid = read_grid(input, *header);
-  if (is_scaled(*header)) grid.read.as_labels = false;  // numbers of ids have no scale
+  // Numbers of ids have no scale.
+  if (is_scaled(*header) && std::isfinite(header->slope)) grid.read.as_labels = false;
 
   const Bytes data = header->in_one_file ? input.bytes : open_image_file(input);
   const double offset = header->data_offset;

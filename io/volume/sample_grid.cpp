@@ -218,6 +218,11 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
                       ": its mesh has the right shape, but D, angles and "
                       "filters are measured as if the axes were at right angles")));
   }
+  if (!has_directions(grid) && grid.log) {
+    grid.log->notes.push_back(one_line(
+        text(grid.name,
+             ": an axis of it has no direction: all are taken as x, y, z, in no known space")));
+  }
   const Roi roi = region(grid, spacing);
   if (grid.read.roi) {
     frame.origin =

@@ -12,6 +12,7 @@
 
 #include "app/parsed_line.h"
 #include "app/progress.h"
+#include "app/run.h"
 #include "base/check.h"
 #include "base/text.h"
 #include "base/vec3.h"
@@ -96,6 +97,11 @@ TEST_CASE("a label that the border cuts is told of, with the option that closes 
         Lines{"the mesh of label 1 is open at the volume's border: --cap closes it"});
   CHECK(warnings(ball(1, 1.4), "--label 1 --cap") == Lines{});
   CHECK(warnings(ball(1, 5.4), "--label 1") == Lines{});
+  // All of the border: it is open there, and has no loop.
+  const ByteAt around = [](const Vec3& p) { return 1 - ball(1, 5.4)(p); };
+  CHECK(warnings(around, "--label 1") ==
+        Lines{"the mesh of label 1 is open at the volume's border: --cap closes it"});
+  CHECK(warnings(around, "--label 1 --cap") == Lines{});
   CHECK(border_advice(std::vector<std::int64_t>{}).empty());
   CHECK(border_advice(std::vector<std::int64_t>{2, 5}) ==
         "the meshes of labels 2, 5 are open at the volume's border: --cap closes them");
@@ -108,6 +114,17 @@ TEST_CASE("a label that fills the volume is a block with --cap") {
   CHECK(warnings(full, "--label 1 --cap", &block) == Lines{});
   CHECK(block.points.size() == 8);
   CHECK(block.faces.size() == 12);
+  // A part that is joined knows of the label by its options alone.
+  const TemporaryFolder folder;
+  const std::string volume = folder.write("full.raw", std::string(64, 1)),
+                    one = folder / "one.part";
+  const std::string mesh = folder / "whole.ply", other = folder / "joined.ply";
+  const std::string options = volume + " --dims 4x4x4 --type uint8 --label 1 --cap -q -o ";
+  CHECK(run_mesh(parsed(options + mesh)) == kExitSuccess);
+  CHECK(run_mesh(parsed(options + one + " --part 1/1")) == kExitSuccess);
+  CHECK(run_join(parsed("join " + one + " --volume " + volume + " -q -o " + other)) ==
+        kExitSuccess);
+  CHECK(file_bytes(other) == file_bytes(mesh));
   CHECK(warnings(full, "--label 1") ==
         Lines{"no surface around label 1, which fills the volume: --cap makes the block "
               "(--allow-empty accepts that)"});

@@ -62,6 +62,7 @@ TEST_CASE("--check finds the faults that the check command finds in the file") {
     std::string file = "mesh.ply";
   };
   const std::string far = " --origin 3e6,5e6,100";
+  const std::string uneven = " --spacing 0.7,0.7,0.7 --origin 100,200,300";
   for (const Case& c : {Case{"builtin:fuel:20", "", ""},
                         {"builtin:gyroid:16", " --cap", " --cap"},
                         {"builtin:five_spheres:24", " --largest 2", " --largest 2"},
@@ -72,7 +73,10 @@ TEST_CASE("--check finds the faults that the check command finds in the file") {
                         {skeleton(folder), "", ""},
                         // Rounded to halves of a voxel, or about the middle.
                         {"builtin:fuel:20", far, far, "mesh.stl"},
-                        {"builtin:fuel:20", far, far, "mesh.glb"}}) {
+                        {"builtin:fuel:20", far, far, "mesh.glb"},
+                        // A text of a float, as 22.47, is no float when it is read as a double.
+                        {"builtin:sphere:16", uneven + " --float", uneven, "mesh.off"},
+                        {"builtin:sphere:16", uneven + " --float", uneven, "mesh.3mf"}}) {
     CAPTURE(c.volume);
     const std::string file = folder / c.file;
     const CheckOutcome made = outcome_of(folder, c.volume + c.options + " --check -o " + file);

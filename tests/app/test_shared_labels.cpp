@@ -296,6 +296,28 @@ TEST_CASE("the report of common surfaces: topology, borders, caps, and a number 
   }
 }
 
+TEST_CASE("a label around others has no volume without caps, though it has no loop") {
+  const Halves halves;
+  const std::string around = halves.folder.write("around.raw", [] {
+    std::string samples;
+    for_each_index({9, 8, 7}, [&](int i, int j, int k) {
+      const bool is_in = i > 2 && i < 6 && j > 1 && j < 6 && k > 1 && k < 5;
+      samples += static_cast<char>(is_in ? 2 : 5);
+    });
+    return samples;
+  }());
+  for (const bool cap : {false, true}) {
+    const CommandLine line = parsed(around + " --dims 9x8x7 --type int8 --label all --shared " +
+                                    (halves.folder / "all.ply") + (cap ? " --cap" : ""));
+    const Source source = read_source(line);
+    SharedRun run(line, source, lines_of_labels(line, source));
+    CHECK(halves.warnings(run).empty());
+    REQUIRE(run.labels.size() == 2);
+    CHECK(run.labels[0].mesh_volume.has_value());
+    CHECK(run.labels[1].mesh_volume.has_value() == cap);
+  }
+}
+
 TEST_CASE("labels that cannot be common surfaces are refused in one line") {
   const auto told = [](const std::string& message) { return message.substr(message.find(": ")); };
   CHECK(told(Halves(-3).refusal("--cap")) ==

@@ -71,6 +71,12 @@ TEST_CASE("ids of 64 bits are meshed as the small labels in their place, and nam
   CHECK(file_bytes(folder.path("o.json")).find("\"labels\": [5, 720575940621039145]") !=
         std::string::npos);
 
+  // info of a label: the field has no ids.
+  CHECK(run_info(parsed(text("info ", wide, " -q --label ", kIds[2], " --json ",
+                             folder.path("i.json")))) == kExitSuccess);
+  CHECK(file_bytes(folder.path("i.json")).find("\"looks_like_labels\": false") !=
+        std::string::npos);
+
   const std::string all = "--label all --json " + folder.path("o.json") + " --shared";
   const std::string ply = mesh(wide, all, "o.ply");
   CHECK(after(ply, body) == after(mesh(small, all, "o.ply"), body));

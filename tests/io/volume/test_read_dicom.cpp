@@ -688,7 +688,11 @@ TEST_CASE("uneven slices are interpolated, exactly if the field is linear") {
       // A spacing that is given stands.
       ReadOptions options;
       options.spacing = Vec3{1, 2, 3};
-      if (!is_tilted) CHECK(bytes_of_samples(read_volume(series, options)) == truth.bytes);
+      if (!is_tilted) {
+        ReadLog given;
+        CHECK(bytes_of_samples(read_volume(series, options, &given)) == truth.bytes);
+        CHECK(given.notes.back().ends_with(", and are read as they are, by --spacing"));
+      }
     }
   }
 }

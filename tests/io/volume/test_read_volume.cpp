@@ -163,6 +163,19 @@ TEST_CASE("unsigned integers of 64 bits have labels up to 2^63 - 1") {
   CHECK_THROWS_AS(read(~std::uint64_t{0}, true, log), InputError);
 }
 
+// Writers of NIfTI have NaN where there is no scale.
+TEST_CASE("labels of 64 bits are read where NIfTI's slope is NaN") {
+  const TemporaryFolder folder;
+  NiftiForm form;
+  form.slope = NAN;
+  const auto files = nifti(wide_truth(62, 1), form);
+  ReadOptions options;
+  options.as_labels = true;
+  ReadLog log;
+  read_volume(folder.write(files[0].name, files[0].content), options, &log);
+  CHECK(log.ids.size() > 2);
+}
+
 TEST_CASE("a sheared grid is read, with a note") {
   const TemporaryFolder folder;
   Truth truth = random_truth(SampleType::u8, {3, 4, 5}, 1);
@@ -293,6 +306,21 @@ TEST_CASE("a spacing and an origin of the options stand for bad ones, which name
     }
   }
   CHECK(replaced > 20);
+}
+
+TEST_CASE("a note tells of directions that a bad axis takes along") {
+  const TemporaryFolder folder;
+  Truth truth = random_truth(SampleType::u8, {3, 4, 5}, 1);
+  truth.spacing.z = 0;
+  ReadOptions options;
+  options.spacing = Vec3{2, 3, 4};
+  ReadLog log;
+  read_volume(folder.write("v.nrrd",
+                           nrrd(truth, std::endian::little, "raw", NrrdForm::attached)[0].content),
+              options, &log);
+  REQUIRE(log.notes.size() == 2);
+  CHECK(log.notes[1].ends_with(
+      ": an axis of it has no direction: all are taken as x, y, z, in no known space"));
 }
 
 TEST_CASE("NIfTI's meters and micrometers become millimeters") {
