@@ -41,7 +41,8 @@
 //    - bzip2, hex, lz4 and lzma encodings.
 //    For other formats with known first bytes the message has a way to convert them
 //    (foreign_formats.h).
-// 5. Of several arrays (VTK) the options name one. Else it is the one that the file calls active, if
+// 5. Of several arrays (VTK) the options name one. Else it is the one that the file calls active,
+// if
 //    it can be meshed, else the first that can, and the log says so.
 //    Of several channels or times the options choose one (several_volumes.h).
 // 6. A hostile or damaged file gives an InputError or a valid volume. Memory is allocated only for
