@@ -42,9 +42,8 @@
 //    For other formats with known first bytes the message has a way to convert them
 //    (foreign_formats.h).
 // 5. Of several arrays (VTK) the options name one. Else it is the one that the file calls active,
-// if
-//    it can be meshed, else the first that can, and the log says so.
-//    Of several channels or times the options choose one (several_volumes.h).
+//    if it can be meshed, else the first that can, and the log says so. Of several
+//    channels or times the options choose one (several_volumes.h).
 // 6. A hostile or damaged file gives an InputError or a valid volume. Memory is allocated only for
 //    data that exists. value_range() finds NaN and infinite samples.
 #pragma once
