@@ -653,7 +653,10 @@ TEST_CASE("uneven slices are interpolated, exactly if the field is linear") {
   Truth truth = oblique_truth(SampleType::i16);
   truth.spacing.z = 1;
   for (const bool is_tilted : {false, true}) {
-    for (const auto& [heights, step, message] : cases) {
+    for (const Case& series_case : cases) {
+      const std::vector<double>& heights = series_case.heights;
+      const double step = series_case.step;
+      const char* const message = series_case.message;
       CAPTURE(message);
       const auto field = [](double i, double j, double z) { return 90 + 8 * i - 16 * j - 40 * z; };
       for (int n = 0; n < 60; ++n) {
