@@ -173,7 +173,8 @@ class DicomParser {
     if (syntax_.empty()) {  // without a first group
       const bool has_vr = bytes_.size() >= at_ + 6 && is_upper(bytes_.data[at_ + 4]) &&
                           is_upper(bytes_.data[at_ + 5]);
-      const bool is_big = bytes_.data[at_] == std::byte{0};  // of a group's two bytes the higher
+      // Of a group's two bytes the higher one.
+      const bool is_big = has_vr && bytes_.data[at_] == std::byte{0};
       syntax_ = !has_vr ? kImplicitLittle : is_big ? kExplicitBig : kExplicitLittle;
     }
     is_explicit_ = syntax_ != kImplicitLittle;
