@@ -185,14 +185,6 @@ std::vector<DicomSlice> sorted_slices(const VolumeInput& input,
   return slices;
 }
 
-std::vector<double> gaps_between(const std::vector<DicomSlice>& slices) {
-  std::vector<double> gaps;
-  for (std::size_t n = 1; n < slices.size(); ++n) {
-    gaps.push_back(slices[n].height - slices[n - 1].height);
-  }
-  return gaps;
-}
-
 // Refuses slices of which some are missing.
 void require_all_slices(const std::vector<DicomSlice>& slices, const std::vector<double>& gaps) {
   const double usual = usual_distance(slices);
@@ -236,7 +228,7 @@ void set_step(DicomStack& stack, const VolumeInput& input) {
     const double aside = distance(slices[n].position, begin + share * whole);
     if (aside > kUnevenSteps * length(whole) / count) {
       fail(slices[n].name(), "lies ", rounded_length(aside),
-           " aside of the line through the first slice ", "and the last");
+           " aside of the line through the first slice and the last");
     }
     worst = std::max(worst,
                      distance(slices[n].position, begin + static_cast<double>(n) / count * whole));

@@ -13,6 +13,9 @@
 namespace deliso {
 namespace {
 
+// Slices are at one place if their distance is a smaller share of the usual one.
+constexpr double kSamePlace = 0.01;
+
 constexpr std::size_t kKeys = kMomentNames.size();
 
 struct Moment {
@@ -113,15 +116,20 @@ void choose_time(const VolumeInput& input, std::vector<DicomSlice>& slices) {
   }
 }
 
+std::vector<double> gaps_between(const std::vector<DicomSlice>& slices) {
+  std::vector<double> gaps;
+  for (std::size_t n = 1; n < slices.size(); ++n) {
+    gaps.push_back(slices[n].height - slices[n - 1].height);
+  }
+  return gaps;
+}
+
 double usual_distance(const std::vector<DicomSlice>& slices) {
   if (slices.size() < 2) return 0;
   const double mean =
       (slices.back().height - slices[0].height) / static_cast<double>(slices.size() - 1);
-  std::vector<double> gaps;
-  for (std::size_t n = 1; n < slices.size(); ++n) {
-    const double gap = slices[n].height - slices[n - 1].height;
-    if (gap > kSamePlace * mean) gaps.push_back(gap);
-  }
+  std::vector<double> gaps = gaps_between(slices);
+  std::erase_if(gaps, [&](double gap) { return !(gap > kSamePlace * mean); });
   if (gaps.empty()) return 0;
   const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>((gaps.size() - 1) / 2);
   std::ranges::nth_element(gaps, middle);

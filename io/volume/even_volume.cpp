@@ -25,8 +25,8 @@ void interpolate_slices(const T* first, const T* second, double share, std::size
 
 Volume resampled_evenly(const VolumeInput& input, SampleGrid grid,
                         const std::vector<double>& places, const Volume& slices) {
-  const bool is_small = size_of(slices.type()) <= 2 || slices.type() == SampleType::f32;
-  grid.type = is_small ? SampleType::f32 : SampleType::f64;
+  grid.type = type_of_interpolated(slices.type());
+  const bool is_small = grid.type == SampleType::f32;
   double least = places[1] - places[0], most = least;
   for (std::size_t n = 2; n < places.size(); ++n) {
     least = std::min(least, places[n] - places[n - 1]);

@@ -25,9 +25,9 @@
 // 2. The content decides the format; the name decides only where the content cannot (MetaImage,
 //    .raw). A .nhdr or .mhd has its data beside it.
 // 3. Coordinates are those of the file, in its own unit and, unless the options turn them, its own
-//    anatomical space. Frame::space has the
-//    space: RAS+ for NIfTI, LPS+ for MetaImage and DICOM, the field "space" for NRRD. NIfTI's
-//    meters and micrometers become millimeters, which the unit is in these spaces.
+//    anatomical space. Frame::space has the space: RAS+ for NIfTI, LPS+ for MetaImage and DICOM,
+//    the field "space" for NRRD. NIfTI's meters and micrometers become millimeters, which the unit
+//    is in these spaces.
 // 4. Refused with a message, never guessed:
 //    - 64-bit integers that float64 does not hold, if they are no labels; complex samples, several
 //      components;
@@ -42,8 +42,8 @@
 //    For other formats with known first bytes the message has a way to convert them
 //    (foreign_formats.h).
 // 5. Of several arrays (VTK) the options name one. Else it is the one that the file calls active,
-//    if it can be meshed, else the first that can, and the log says so. Of several
-//    channels or times the options choose one (several_volumes.h).
+//    if it can be meshed, else the first that can, and the log says so. Of several channels or
+//    times the options choose one (several_volumes.h).
 // 6. A hostile or damaged file gives an InputError or a valid volume. Memory is allocated only for
 //    data that exists. value_range() finds NaN and infinite samples.
 #pragma once

@@ -34,7 +34,7 @@ struct SampleGrid {
   std::string name;         // of the input, for messages
   ReadOptions read{};       // the region, and the place if it is not the file's
   bool is_of_file = false;  // so messages may name the options
-  ReadLog* log = nullptr;   // of what becomes of integers of 64 bits
+  ReadLog* log = nullptr;   // for notes, and ids of 64 bits
   std::array<std::int64_t, 3> dims{0, 0, 0};
   StoredType type = SampleType::u8;
   std::endian byte_order = std::endian::native;
@@ -64,6 +64,12 @@ struct SampleGrid {
 // Ends of messages about a place that is missing or bad: which option gives it.
 inline constexpr const char *kGiveSpacing = ": --spacing SX,SY,SZ gives it",
                             *kGiveOrigin = ": --origin X,Y,Z gives it";
+
+// Returns the type of values between samples of this one: float32 if it holds the samples.
+inline SampleType type_of_interpolated(SampleType type) {
+  const bool is_small = size_of(type) <= 2 || type == SampleType::f32;
+  return is_small ? SampleType::f32 : SampleType::f64;
+}
 
 // True if all steps have a length, and so a direction. Without one a spacing must be given, and the
 // axes are the world's.

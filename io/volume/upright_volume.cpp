@@ -78,8 +78,8 @@ Volume resampled_upright(const VolumeInput& input, const SampleGrid& grid, const
     upright.origin = upright.origin - first[axis] * grid.steps[axis];
     upright.dims[axis] += static_cast<std::int64_t>(std::ceil(std::abs(last) - kShiftError));
   }
-  const bool is_small = size_of(slices.type()) <= 2 || slices.type() == SampleType::f32;
-  upright.type = is_small ? SampleType::f32 : SampleType::f64;
+  upright.type = type_of_interpolated(slices.type());
+  const bool is_small = upright.type == SampleType::f32;
   const double least = value_range(slices, input.name()).min;
   const double cosine = length(upright.steps[2]) / length(grid.steps[2]);
   input.note("slices are shifted against each other, as by a gantry that is tilted by ",
