@@ -242,6 +242,15 @@ bool Refinement::faces_out(const Triangle& v, const Vec3& normal) const {
   return dot(sum, normal) < 0;
 }
 
+bool Refinement::leaves_sheet(const Replacement& c) {
+  if (!c.proposal.gates.surface_points || c.proposal.what == Proposal::Vertex::none) return false;
+  const Vec3& place = c.proposal.place;
+  if (c.moves()) return !finder.leads_to(moved_from_, place);
+  const auto from_place = [&](VertexId v) { return distance2(point(v), place); };
+  const VertexId nearest = *std::ranges::min_element(c.cavity.disk.vertices(), {}, from_place);
+  return !finder.leads_to(point(nearest), place);
+}
+
 // G4, for the removed vertices.
 bool Refinement::uncovers(const Replacement& c) const {
   const double limit = kMaxRemovedDistances * parameters.refinement[Criterion::distance];

@@ -109,7 +109,6 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   ++r.moves[v].tries;
   normal = normal / size;
 
-  SearchCounters& searches = r.report.searches_refine;
   double there = 0;
   // The costs become known facet by facet. False as soon as the cost does not fall far enough.
   const auto lowers_cost = [&](const Replacement& c) {
@@ -121,9 +120,7 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
       const Triangle& t = facets[c.duals.size() - 1];
       there += cost(r, t, c.duals.back()) - least_cost(r, t);
     }
-    return there < (1 - kMinCostFall) * here &&
-           (!c.has_duals() || (r.finder.on_one_sheet(from, r.point(v), normal, searches) &&
-                               r.finder.leads_to(from, r.point(v), normal, searches)));
+    return there < (1 - kMinCostFall) * here;
   };
   r.moves[v].are_vain = !try_places(r, *cavity, v, normal, lowers_cost);
   return r.done(Operation::move,

@@ -130,6 +130,7 @@ std::optional<Refusal> Refinement::make(Proposal proposal, const Accept& accept)
               : !accept(c)           ? std::optional(Refusal::no_gain)
                                      : std::nullopt;
   }
+  if (!refusal && leaves_sheet(c)) refusal = Refusal::other_sheet;
   if (!refusal && uncovers(c)) refusal = Refusal::uncovers;
   if (!refusal && crosses(c)) refusal = Refusal::crossing;
   refusal ? undo(c) : commit(c);

@@ -19,7 +19,8 @@
 //   G2  No small component is reversed. No edge is folded more sharply than the proposal's limit,
 //       or than one was before; insertions and boundary splits have no limit.
 //   G3  New facets have surface points. Those below r_min that face Sigma's outside may lack one;
-//       of the others, no more than before.
+//       of the others, no more than before. A vertex comes or moves only to a point of the sheet
+//       that the cavity is on (contour/sheet_walk.h), so each stays on its component.
 //   G4  A removed vertex is within twice the bound on the distance of the new facets. The operation
 //       lowers its quantity, so Stage 2 ends.
 //   G5  No new facet crosses another, by exact predicates. So the mesh stays embedded. None is a
@@ -169,6 +170,7 @@ class Refinement {
                        std::span<const FaceId> across) const;
   bool folds(const Replacement& c) const;
   bool reverses(Replacement& c);
+  bool leaves_sheet(const Replacement& c);    // G3
   bool uncovers(const Replacement& c) const;  // G4
   bool faces_out(const Triangle& v, const Vec3& normal) const;
   bool is_needle(const Replacement& c) const;

@@ -57,6 +57,7 @@ enum class Refusal : std::uint8_t {
   not_a_disk,        // G1, or the facets of the cavity are no disk
   swallows_vertex,   // an insertion itself: its cavity has a vertex inside
   no_surface_point,  // G3
+  other_sheet,       // G3
   too_close,         // an insertion itself: to a vertex of its cavity
   boundary,          // an operation itself: on the box; or it would collapse an inserted vertex
   turned,            // G2
@@ -71,8 +72,8 @@ inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::count
 inline constexpr std::array<std::string_view, kOperations> kOperationNames{
     "surface_point", "foot", "boundary_split", "flip", "collapse", "move", "far_point", "removal"};
 inline constexpr std::array<std::string_view, kRefusals> kRefusalNames{
-    "not_a_disk", "swallows_vertex", "no_surface_point", "too_close", "boundary",
-    "turned",     "no_gain",         "uncovers",         "crossing",  "frozen"};
+    "not_a_disk", "swallows_vertex", "no_surface_point", "other_sheet", "too_close", "boundary",
+    "turned",     "no_gain",         "uncovers",         "crossing",    "frozen"};
 static_assert(!kOperationNames.back().empty() && !kRefusalNames.back().empty());
 
 constexpr std::string_view name_of(Counter counter) {

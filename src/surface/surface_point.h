@@ -2,13 +2,14 @@
 // The surface point of a facet of a plain mesh. The facet's dual line can meet Sigma several times,
 // and no Voronoi diagram selects a hit. The surface point is the hit nearest to the circumcenter
 // (paper §2.2.2) where Sigma faces as the facet does. The sheet across a gap or wall thinner than
-// the facet faces the opposite way. A sheet behind that one faces as the facet does; the chords
-// from it to the corners then cross the sheet between.
+// the facet faces the opposite way. A sheet behind that one faces as the facet does, and so may
+// another component: a hit that is not near must be on the sheet of the corners.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "contour/sheet_walk.h"
 #include "isosurface/patch_at.h"
 #include "surface/surface_mesh.h"
 
@@ -16,7 +17,8 @@ namespace deliso {
 
 class SurfacePointFinder {
  public:
-  explicit SurfacePointFinder(const Isosurface& surface) : surface_(surface) {}
+  explicit SurfacePointFinder(const Isosurface& surface)
+      : surface_(surface), walk_(surface.volume(), surface.kappa()) {}
 
   // Returns the surface point of the facet a, b, c, counter-clockwise seen from g < kappa. Nullopt
   // if none is within the circumradius and the longest edge's length, or the facet has no area.
@@ -40,12 +42,8 @@ class SurfacePointFinder {
   std::optional<Vec3> foot(const Vec3& from, const Vec3& normal, double limit,
                            SearchCounters& counters);
 
-  // True if Sigma leads from its point p to its point q along their chord: the feet of points on
-  // the chord follow each other closely. Another component that faces as p's does is not led to.
-  bool leads_to(const Vec3& p, const Vec3& q, const Vec3& normal, SearchCounters& counters);
-
-  // True if no sheet that faces away from `normal` lies between the points p and q of Sigma.
-  bool on_one_sheet(const Vec3& p, const Vec3& q, const Vec3& normal, SearchCounters& counters);
+  // True if p and q, points of Sigma, lie on one sheet (contour/sheet_walk.h).
+  bool leads_to(const Vec3& p, const Vec3& q) { return walk_.leads(p, q); }
 
  private:
   std::optional<Vec3> nearest(const PatchAt& from, const Vec3& normal, double limit,
@@ -55,6 +53,7 @@ class SurfacePointFinder {
   }
 
   const Isosurface& surface_;
+  SheetWalk walk_;
   std::vector<Hit> hits_;
 };
 

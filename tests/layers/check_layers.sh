@@ -22,7 +22,7 @@ allowed() {
     contour) echo "base volume delaunay mesh embedding contour" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
     run) echo "base mesh volume isosurface run" ;;
-    surface) echo "$surface contour/boundary_loop.h" ;;
+    surface) echo "$surface contour/boundary_loop.h contour/sheet_walk.h" ;;
     coarsen) echo "$surface delaunay contour coarsen" ;;
     recover) echo "base roots volume kdtree isosurface delaunay mesh embedding contour paper recover" ;;
     refine) echo "$surface refine" ;;

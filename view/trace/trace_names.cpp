@@ -116,6 +116,7 @@ std::string_view text_of(Refusal refusal) {
       "E or what takes its place is no disk",
       "E has a vertex inside, which would go",
       "a new facet's dual line misses the surface",
+      "the point is on another sheet of the surface",
       "the point is too near to a vertex of E",
       "a boundary edge encroached upon that cannot be split",
       "an edge would be too sharp, or a component reversed",
