@@ -46,8 +46,10 @@ std::string mask_advice(const Input& input) {
 std::string tie_advice(const MeshRun& run) {
   const Volume& volume = run.input.volume();
   const double isovalue = *run.input.isovalue;
-  if (run.input.field.label || run.triangles == 0 || run.quality.min_angle >= kThinAngle ||
-      !is_whole(isovalue)) {
+  // Of integers the level lies off all samples (geometric_isovalue()).
+  const bool is_float = volume.type() == SampleType::f32 || volume.type() == SampleType::f64;
+  if (run.input.field.label || !is_float || run.triangles == 0 ||
+      run.quality.min_angle >= kThinAngle || !is_whole(isovalue)) {
     return {};
   }
   bool equal = false;

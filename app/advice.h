@@ -15,8 +15,8 @@ namespace deliso {
 // is one of steps, with its vertices near samples.
 std::string mask_advice(const Input& input);
 
-// Whole samples equal the isovalue, and the mesh has thin triangles where they do: the surface
-// passes within 1e-6 of them. Half a step lower the same samples are inside.
+// Whole samples of floats equal the isovalue, and the mesh has thin triangles where they do: the
+// surface passes next to them. Half a step lower the same samples are inside.
 std::string tie_advice(const MeshRun& run);
 
 // The mesh of labels is open where they reach the volume's border.

@@ -235,16 +235,19 @@ std::optional<T> inside_threshold(double kappa) {
 }
 
 // Returns the kappa that the geometry uses; inside is f >= kappa. Where samples or saddles equal
-// kappa, the surface would touch itself there. So kappa is lowered where they might. It depends on
-// the type and the isovalue alone, so all blocks of a volume have the same, and so does a check. No
-// number of the type lies between the two, so each sample stays on its side:
-//   - integers of n bits: less by 2^-20, or by half the way to the next lower integer if that is
-//     shorter and a double. But an isovalue that is no multiple of 2^-n stays: no sample equals it,
-//     and no saddle of a face. A saddle is a fraction of two integers, and the lower one is below
-//     2^(n+1).
+// kappa, the surface would touch itself there, and just below come as near as that. So kappa is put
+// where the surface is robust. It depends on the type and the isovalue alone, so all blocks of a
+// volume have the same, and so does a check. No number of the type lies between the two, so each
+// sample stays on its side:
+//   - integers of n bits: less by .38 if the isovalue is an integer. A multiple of 2^-n, which only
+//     saddles may equal, is lowered by .001, or by half the way to the next lower integer if that
+//     is shorter. Any other isovalue stays: no sample equals it, and no saddle of a face. A saddle
+//     is a fraction of two integers, and the lower one is below 2^(n+1).
 //   - float32: halfway to the next lower float if the isovalue is a float, else the isovalue.
 //   - float64: the isovalue. A sample or a saddle may equal it; crossings stay off samples all the
 //     same (contour/piece_mesher.h).
+// For floats there is no better rule: any lower kappa has numbers of the type between it and the
+// isovalue, and samples there would change their side.
 double geometric_isovalue(SampleType type, double isovalue);
 
 template <class T>

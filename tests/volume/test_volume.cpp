@@ -254,10 +254,11 @@ TEST_CASE("the isovalue of the geometry is lowered onto no sample and past none"
 TEST_CASE("the isovalue of the geometry depends on the type and the isovalue alone") {
   using enum SampleType;
   for (const SampleType type : {u8, i8, u16, i16, u32, i32}) {
-    for (const double isovalue : {0.0, 40.0, 40.5, -3.0, 4294967295.0}) {
+    for (const double isovalue : {0.0, 40.0, -3.0, 4294967295.0}) {
       CAPTURE(isovalue);
-      CHECK(geometric_isovalue(type, isovalue) == isovalue - 0x1p-20);
+      CHECK(geometric_isovalue(type, isovalue) == isovalue - 0.38196601125);
     }
+    CHECK(geometric_isovalue(type, 40.5) == 40.5 - 0.001);
     CHECK(geometric_isovalue(type, 40.1) == 40.1);
   }
   CHECK(geometric_isovalue(u8, 40 + 0x1p-9) == 40 + 0x1p-9);
@@ -276,7 +277,8 @@ TEST_CASE("the isovalue of the geometry depends on the type and the isovalue alo
 
 // The saddle of a bilinear face is (ab - pq) / (a + b - p - q).
 TEST_CASE("no saddle of a face of 8-bit samples lies at the isovalue of the geometry") {
-  constexpr std::int64_t kUnit = 1 << 20;
+  // kappa is a multiple of 2^-60, or no double is the saddle.
+  constexpr double kUnit = 0x1p60;
   Random random(62);
   int tied = 0;
   for (int trial = 0; trial < 1'000'000; ++trial) {
@@ -286,16 +288,14 @@ TEST_CASE("no saddle of a face of 8-bit samples lies at the isovalue of the geom
     const std::int64_t above = a * b - p * q, below = a + b - p - q;
     const double saddle = static_cast<double>(above) / static_cast<double>(below);
     const double kappa = geometric_isovalue(SampleType::u8, saddle);
-    const double scaled = kappa * static_cast<double>(kUnit);
-    if (scaled != std::floor(scaled)) {
-      // No double is this saddle.
-      REQUIRE(kappa == saddle);
-      REQUIRE((below & (below - 1)) != 0);
+    if (kappa == saddle) {
+      REQUIRE((below & (below - 1)) != 0);  // no double is this saddle
       continue;
     }
     ++tied;
-    const auto k = static_cast<std::int64_t>(scaled);
-    REQUIRE(above * kUnit != k * below);
+    const auto k = static_cast<__int128>(kappa * kUnit);
+    REQUIRE(static_cast<double>(k) == kappa * kUnit);
+    REQUIRE(static_cast<__int128>(above) << 60 != k * below);
   }
   CHECK(tied > 1000);
 }
