@@ -187,7 +187,7 @@ void add_mesh(ReportWriter& out, const MeshRun& run) {
           text("pairs of triangles at an edge, with less than ", kLeastFold,
                " degree between them where the surface has no such fold"));
   out.add("near_vertices", run.close.near.size(),
-          text("nearer to a triangle of others than ", kNearShare, " of the box's largest side"));
+          text("nearer to a triangle of others than ", kNearVoxels, " voxels"));
   if (out.if_any(run.line.options.cap)) {
     add_solid(out, run.vertices - report.cap.surface_vertices,
               run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality);

@@ -144,8 +144,7 @@ bool has_triangle_near(const std::vector<Vec3>& points, std::span<const Triangle
 }
 
 double near_distance(const Volume& volume) {
-  const Vec3 size = volume.box().size();
-  return kNearShare * std::max({size.x, size.y, size.z});
+  return kNearVoxels * volume.voxel();
 }
 
 ClosePlaces find_close_places(const std::vector<Vec3>& points, std::span<const Triangle> triangles,

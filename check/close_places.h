@@ -21,9 +21,8 @@ namespace deliso {
 // them are a fold.
 inline constexpr double kLeastAngle = 0.01, kLeastFold = 1;
 
-// Of the largest side of the box. A vertex nearer than that to a triangle of others is a near
-// vertex. Programs that fill a surface with tetrahedra merge points at such distances.
-inline constexpr double kNearShare = 1e-5;
+// Voxels (Volume::voxel()). A vertex nearer than that to a triangle of others is a near vertex.
+inline constexpr double kNearVoxels = 6e-4;
 // Returns that distance.
 double near_distance(const Volume& volume);
 

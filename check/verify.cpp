@@ -119,10 +119,10 @@ void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const Vert
   }
 }
 
-// Vertices may leave Sigma by so many near_distance(), or by so much of the largest spacing, where
-// T has two sheets that near or shorter edges, or the mesh comes twice that near to itself: a mesh
-// keeps vertices and facets apart there.
-constexpr double kApartShares = 5, kApartSpacings = 9e-4;
+// Vertices may leave Sigma by so many voxels where T has two sheets as near, or edges shorter than
+// near_distance(), or the mesh comes twice as near to itself: a mesh keeps vertices and facets
+// apart there.
+constexpr double kApartVoxels = 1e-3;
 
 // Between the normals of triangles of two sheets. Where sheets touch, both may bend.
 constexpr double kOtherSheetCosine = 0.5;
@@ -165,10 +165,8 @@ std::vector<std::uint8_t> check_vertices_on_surface(const CleanMesh& mesh,
                                                     Verification& result) {
   const Isosurface& surface = exact.surface;
   const double voxel = surface.volume().voxel();
-  const Vec3 spacing = surface.volume().spacing();
-  const double largest_spacing = std::max({spacing.x, spacing.y, spacing.z});
   const double least = near_distance(surface.volume());
-  const double apart = std::max(kApartShares * least, kApartSpacings * largest_spacing);
+  const double apart = kApartVoxels * voxel;
   std::vector<double> off(mesh.points.size(), 0);
   std::vector<std::uint8_t> on_surface(off.size(), 0);
   std::vector<std::uint32_t> elsewhere(off.size(),

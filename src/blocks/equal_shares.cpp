@@ -76,28 +76,29 @@ struct AxisPlanes {
 AxisPlanes planes_along(const SurfaceWork& work, int axis, int blocks) {
   SampleBox before = work.all();
   const int length = before.end[axis];
+  const int begin = work.active().begin[axis], end = work.active().end[axis];
   const auto work_before = [&](int plane) {
     before.end[axis] = plane;
     return work.in(before);
   };
-  const std::uint64_t all = work_before(length);
+  const std::uint64_t all = work_before(end);
   AxisPlanes planes{{0}};
   for (int n = 1; n < blocks; ++n) {
-    const int last = planes.at.back(), left = blocks - n;
+    const int last = std::max(begin, planes.at.back()), left = blocks - n;
     // Both ends leave room for the other blocks.
-    int plane = rounded_up(std::max(last + kLeastBlockSamples, length - left * kMostBlockVoxels));
-    const int end =
-        rounded_down(std::min(last + kMostBlockVoxels, length + 1 - left * kLeastBlockSamples));
+    int plane = rounded_up(std::max(last + kLeastBlockSamples, end - left * kMostBlockVoxels));
+    const int highest =
+        rounded_down(std::min(last + kMostBlockVoxels, end - left * kLeastBlockSamples));
     // The next one is nearer to the share while the middle between both lies before it.
     const auto is_early = [&] {
       return (work_before(plane) + work_before(plane + kCell)) * blocks < 2 * all * n;
     };
-    while (plane < end && is_early()) plane += kCell;
+    while (plane < highest && is_early()) plane += kCell;
     planes.at.push_back(plane);
     SampleBox around = work.all();
     around.begin[axis] = plane - kCell;
-    around.end[axis] = std::min(plane + kCell, length);
-    planes.work_cut += work.in(around) / (around.end[axis] - around.begin[axis]);
+    around.end[axis] = plane + kCell;
+    planes.work_cut += work.in(around) / (2 * kCell);
   }
   planes.at.push_back(length);
   return planes;
@@ -105,10 +106,11 @@ AxisPlanes planes_along(const SurfaceWork& work, int axis, int blocks) {
 
 // Returns the planes for each number of blocks that the bounds of their sides allow.
 std::vector<AxisPlanes> all_planes_along(const SurfaceWork& work, int axis) {
-  const int length = work.all().end[axis];
-  const int most = std::max(1, (length + 1) / kLeastBlockSamples);
+  const int length = work.active().end[axis] - work.active().begin[axis];
+  const int least = std::max(1, (length + kMostBlockVoxels - 1) / kMostBlockVoxels);
+  const int most = std::max(1, length / kLeastBlockSamples);
   std::vector<AxisPlanes> all;
-  for (int blocks = (length + kMostBlockVoxels - 1) / kMostBlockVoxels; blocks <= most; ++blocks) {
+  for (int blocks = least; blocks <= most; ++blocks) {
     all.push_back(planes_along(work, axis, blocks));
   }
   return all;
@@ -151,6 +153,7 @@ SurfaceWork::SurfaceWork(const VolumeSource& source, double isovalue, int thread
     });
   });
   sum_up();
+  find_active();
 }
 
 // Adds the work in a layer of the slab to the cells.
@@ -202,6 +205,25 @@ void SurfaceWork::sum_up() {
         }
       }
     }
+  }
+}
+
+void SurfaceWork::find_active() {
+  const SampleBox whole{{0, 0, 0}, {kCell * cells_.i, kCell * cells_.j, kCell * cells_.k}};
+  if (in(whole) == 0) return;
+  active_ = whole;
+  for (int axis = 0; axis < 3; ++axis) {
+    SampleBox layer = whole;
+    const auto is_empty = [&](int cell) {
+      layer.begin[axis] = kCell * cell;
+      layer.end[axis] = layer.begin[axis] + kCell;
+      return in(layer) == 0;
+    };
+    int first = 0, last = cells_[axis] - 1;
+    while (is_empty(first)) ++first;
+    while (is_empty(last)) --last;
+    active_.begin[axis] = kCell * first;
+    active_.end[axis] = kCell * (last + 1);
   }
 }
 

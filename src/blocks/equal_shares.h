@@ -12,8 +12,8 @@
 
 namespace deliso {
 
-// Bounds of a block's sides, unless the volume has fewer samples. In a shorter block seams
-// (blocks/seams.h) meet.
+// Bounds of a block's sides within the box of the surface. What lies empty around it goes to the
+// outermost blocks, so a volume padded with zeros has the same blocks where the surface is.
 inline constexpr int kLeastBlockSamples = 24, kMostBlockVoxels = 128;
 
 // About how much work the surface is in boxes of a volume. The unit is the work of a grid edge that
@@ -30,6 +30,9 @@ class SurfaceWork {
   // sample.
   std::uint64_t in(const SampleBox& box) const;
   SampleBox all() const { return {{0, 0, 0}, voxels_}; }
+  // Returns the box of the cells with work, at multiples of kCellVoxels: its end may lie beyond the
+  // last sample. Empty if there is none.
+  const SampleBox& active() const { return active_; }
 
  private:
   std::size_t at(Index3 corner) const {
@@ -38,8 +41,10 @@ class SurfaceWork {
   template <class Sample>
   void add_layer(const Volume& slab, const Sample* samples, Sample threshold, int k);
   void sum_up();
+  void find_active();
 
   Index3 voxels_, cells_;
+  SampleBox active_;
   std::vector<std::uint64_t> sums_;  // per corner of a cell: the work between it and sample 0
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -19,8 +20,9 @@
 namespace deliso {
 namespace {
 
-// Along each axis, of volumes whose samples decide the grid.
-constexpr int kMostFollowedVoxels = 512;
+// Voxels of the largest volume whose samples decide the grid. A block may have all of it, and a
+// part reads all.
+constexpr std::uint64_t kMostFollowedVoxels = std::uint64_t{1} << 28;
 
 // Returns the work in the volume if the grid follows from it.
 std::optional<SurfaceWork> deciding_work(const RunInput& run) {
@@ -83,7 +85,7 @@ Block refined_at_seams(const RunInput& run, const BlockGrid& grid, Block whole,
 bool grid_follows_surface(const Volume& shape, const Options& options) {
   const Index3 voxels = shape.voxels();
   return options.block_side == Options::kUsualSide &&
-         std::max({voxels.i, voxels.j, voxels.k}) <= kMostFollowedVoxels;
+         std::uint64_t(voxels.i) * voxels.j * voxels.k <= kMostFollowedVoxels;
 }
 
 BlockGrid block_grid(const VolumeSource& source, double isovalue, const Options& options) {

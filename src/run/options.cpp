@@ -12,11 +12,9 @@ namespace {
 // Facets with a smaller circumradius are not refined, not even for shape.
 constexpr double kShapeFloorVoxels = 0.05;
 
-// The distance to which facets are moved apart, in the largest side of the box. Programs that fill
-// surfaces with tetrahedra take facets for one that are nearer than 1e-5 of it.
-constexpr double kGapOfBox = 1.5e-5;
-// Of the spacing between slices: facets as long as two voxels stay wider than needles there.
-constexpr double kGapOfSpacing = 6e-4;
+// The distance to which facets that face each other are moved apart. It is what vertices may leave
+// Sigma by. Programs that fill surfaces with tetrahedra take facets much nearer than that for one.
+constexpr double kGapVoxels = 1e-3;
 
 }  // namespace
 
@@ -65,11 +63,7 @@ Parameters resolve(const Options& o, const Volume& volume) {
   static_cast<RunSettings&>(p) = o;
   p.voxel = voxel;
   p.r_min = r_min;
-  const Vec3 whole = volume.spacing();
-  for (int axis = 0; axis < 3; ++axis) {
-    const int steps = volume.whole_dims()[axis] - 1;
-    p.gap = std::max(p.gap, whole[axis] * std::max(kGapOfBox * steps, kGapOfSpacing));
-  }
+  p.gap = kGapVoxels * voxel;
   for (std::size_t n = 0; n < kCriteria; ++n) {
     p.refinement.limits.values[n] = o.limits.values[n].in(volume);
   }

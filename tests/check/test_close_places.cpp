@@ -113,8 +113,7 @@ TEST_CASE("brute force finds the same near vertices, whatever the number of thre
     const std::vector<Vec3>& points = scene.contour.points;
     const std::vector<Triangle> triangles = contour_as_mesh(scene.contour).mesh.triangles();
     const ClosePlaces found = found_in(points, triangles, scene.volume);
-    const Vec3 size = scene.volume.box().size();
-    const double limit = kNearShare * std::max({size.x, size.y, size.z});
+    const double limit = near_distance(scene.volume);
     std::vector<std::uint8_t> is_closed(points.size(), 0), is_near(points.size(), 0);
     const auto close = [&](FaceId f) {
       for (const VertexId v : triangles[f]) is_closed[v] = 1;
