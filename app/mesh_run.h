@@ -2,6 +2,7 @@
 // A run of the mesh command without its files, and its results as text and as JSON.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -45,7 +46,7 @@ struct MeshRun {
   double max_off_surface = 0;     // of vertices that --cap needs off the surface; scaled frame
   double volume = 0;              // if has_volume(): inside mesh and caps, in world units
   // Of the mesh as it is in the file, and as it would be in double precision. Counted with --cap,
-  // and if coordinates are rounded to float.
+  // if coordinates are rounded to float, and if the contour crossed itself in some voxel.
   PlaceFaults written, in_double;
   std::size_t mended = 0;  // vertices not at the nearest float, so that there are fewer faults
   std::optional<TriMesh> rounded;            // the mesh with these vertices, to be written
@@ -70,6 +71,13 @@ struct MeshRun {
   }
   // Returns the share by which it differs from the volume of the label's voxels.
   double volume_difference() const { return volume / input.field.label->volume - 1; }
+  // Returns the pairs of triangles that cross in the file. 0 where none were looked for, since no
+  // step of the exact program makes any.
+  std::size_t crossings() const {
+    const std::size_t checked =
+        verification ? verification->faults.count(FaultKind::self_intersections) : 0;
+    return std::max(written.crossings, checked);
+  }
   PlaceFaults by_rounding() const { return written.beyond(in_double); }
   bool sound() const {
     return fault.empty() && report.cap.failure.empty() && by_rounding().count() == 0 &&

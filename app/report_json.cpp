@@ -192,6 +192,11 @@ void add_mesh(ReportWriter& out, const MeshRun& run) {
     add_solid(out, run.vertices - report.cap.surface_vertices,
               run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality);
   }
+  out.optional(!run.line.paper)
+      .add("crossings", run.crossings(),
+           "pairs of triangles that cross, of the mesh as it is in the file. They are looked for "
+           "with --check and --cap, in single precision, and if voxels_crossed is not 0; nothing "
+           "else makes any");
   out.optional(run.line.options.cap).add("cap_close_places", run.close_at_caps, kCapClosePlaces);
   out.optional(run.line.options.cap)
       .add("cap_failure", report.cap.failure,

@@ -99,12 +99,9 @@ std::string verdict_text(const MeshRun& run) {
            is_other ? "another topology than the surface's"
            : is_all ? "exact topology"
                     : "only the components asked for",
-           run.written.crossings > 0
-               ? "; " + counted(run.written.crossings, "crossing pair") + " of triangles"
-           : report[Counter::voxels_crossed] > 0
-               ? "; triangles may cross in " + counted(report[Counter::voxels_crossed], "voxel")
-           : run.line.paper ? "; crossings are not looked for"
-                            : ", no crossings",
+           run.crossings() > 0 ? "; " + counted(run.crossings(), "crossing pair") + " of triangles"
+           : run.line.paper    ? "; crossings are not looked for"
+                               : ", no crossings",
            "\n");
   const auto add_line = [&](std::size_t count, const std::string& what, std::string_view name) {
     if (count > 0) lines += text("          ", what, " (", name, ")\n");

@@ -161,13 +161,16 @@ TriMesh rounded_mesh(const TriMesh& mesh, const CommandLine& line) {
 }
 
 // Counts faults of the points as the file will have them: single precision and turned axes round
-// them. If there are some, counts those of the doubles too, to see whether rounding is the cause,
-// and tries another rounding. Returns a mesh to write in place of `mesh`, if that helps.
+// them, caps may cross the surface, and so may triangles of a contour that crossed itself. No other
+// step makes triangles cross (docs/proof.md, Corollary 7.1), so no other mesh is searched. If there
+// are some, counts those of the doubles too, to see whether rounding is the cause, and tries
+// another rounding. Returns a mesh to write in place of `mesh`, if that helps.
 std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run, const Warn& warn) {
   const CommandLine& line = run.line;
   const bool is_written = !line.output.empty();
   const bool is_single = is_written && writes_single_precision(line.write);
-  if (!run.has_solid() && !is_single) return std::nullopt;
+  const bool may_cross = run.report[Counter::voxels_crossed] > 0;
+  if (!run.has_solid() && !is_single && !may_cross) return std::nullopt;
   const std::vector<Triangle> triangles = mesh.triangles();
   const auto find = [&](const std::vector<Vec3>& points) {
     return find_place_faults(points, triangles, line.options.threads);

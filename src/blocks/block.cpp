@@ -51,7 +51,7 @@ void make_embedded(ContourMesh& contour, const Volume& volume, const BlockRun& r
   contour = fine_contour(std::move(contour), volume, run.kappa);
   make_seams_plain(contour, volume);
   report[Counter::voxels_cut] = contour.split_voxels;
-  report[Counter::voxels_crossed] = contour.crossed_voxels;
+  report[Counter::voxels_crossed] = contour.crossed_voxels.size();
 }
 
 }  // namespace

@@ -105,10 +105,12 @@ struct ContourMesh {
   std::vector<ContourTriangle> triangles;
   ContourBoundary boundary;
   ContourSummary summary;
-  std::uint64_t split_voxels = 0;    // voxels that were split
-  std::uint64_t crossed_voxels = 0;  // voxels in which triangles cross, in the smallest cells too
+  std::uint64_t split_voxels = 0;  // voxels that were split
+  // Voxels in which triangles cross, in the smallest cells too; ascending voxel_number()s.
+  std::vector<std::uint64_t> crossed_voxels;
   // The voxels whose triangles might cross, in scan order as all triangles are. Such a voxel has
-  // several pieces, or follows the cells of a neighboring voxel.
+  // several pieces, follows the cells of a neighboring voxel, or is split at an inner face. There
+  // the triangles that make its seam plain follow as an entry of their own.
   struct VoxelTriangles {
     std::uint64_t voxel;  // voxel_number()
     std::size_t first, end;

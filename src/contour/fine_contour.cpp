@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/sorted_list.h"
+#include "contour/crossed_voxels.h"
 #include "contour/split_voxels.h"
-#include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
 #include "mesh/first_at_place.h"
 
@@ -51,42 +51,6 @@ Index3 cells_of(Vec3 spacing, double cell, double coarsest, std::size_t voxels,
   return divided(std::min(cell, coarsest));
 }
 
-// Returns the selected voxels in which triangles of T cross; ascending. Triangles of different
-// voxels never cross: each lies in its own voxel.
-template <class IsSelected>
-std::vector<std::uint64_t> crossed_voxels(const ContourMesh& contour, IsSelected&& is_selected) {
-  std::vector<std::uint64_t> out;
-  std::vector<Triangle> triangles;
-  std::vector<Box3> boxes;
-  for (const ContourMesh::VoxelTriangles& crowd : contour.crowded) {
-    if (!is_selected(crowd.voxel)) continue;
-    triangles.clear();
-    boxes.clear();
-    for (std::size_t t = crowd.first; t < crowd.end; ++t) {
-      const ContourTriangle& v = contour.triangles[t];
-      const Vec3 &a = contour.points[v[0]], &b = contour.points[v[1]], &c = contour.points[v[2]];
-      if (collinear(a, b, c)) continue;
-      triangles.push_back(triangle_of(v[0], v[1], v[2]));
-      boxes.push_back(box_of(a, b, c));
-    }
-    const auto meets_earlier = [&](std::size_t g) {
-      for (std::size_t f = 0; f < g; ++f) {
-        if (meet(boxes[f], boxes[g]) &&
-            triangles_intersect(contour.points, triangles[f], triangles[g])) {
-          return true;
-        }
-      }
-      return false;
-    };
-    for (std::size_t g = 1; g < triangles.size(); ++g) {
-      if (!meets_earlier(g)) continue;
-      out.push_back(crowd.voxel);
-      break;
-    }
-  }
-  return out;
-}
-
 // Returns these voxels and their neighbors across faces; ascending.
 std::vector<std::uint64_t> with_neighbors(const std::vector<std::uint64_t>& voxels, Index3 dims) {
   std::vector<std::uint64_t> out = voxels;
@@ -102,7 +66,9 @@ std::vector<std::uint64_t> with_neighbors(const std::vector<std::uint64_t>& voxe
 // Moves each vertex at the place of an earlier one along T, towards the mean of its neighbors, by
 // `perturbation`. Where samples of a voxel differ by many orders of magnitude, points of several
 // cells round to one place. Facets there would have no area. None was found on the box in tests.
-void perturb_coincident(ContourMesh& contour, double perturbation) {
+// Returns true if a vertex was moved.
+bool perturb_coincident(ContourMesh& contour, double perturbation) {
+  bool any = false;
   const std::vector<VertexId> first = first_at_place(contour.points);
   for (ContourId v = 0; v < first.size(); ++v) {
     if (first[v].number() == v.number()) continue;
@@ -114,7 +80,9 @@ void perturb_coincident(ContourMesh& contour, double perturbation) {
     const double size = length(along);
     if (contour.on_boundary(v) || !(size > 0)) continue;
     contour.points[v] = contour.points[v] + (perturbation / size) * along;
+    any = true;
   }
+  return any;
 }
 
 }  // namespace
@@ -128,13 +96,11 @@ ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa
   for (std::size_t trial = 0; trial < kCellsPerSide.size();) {
     // After the first pass only split voxels and their neighbors have new triangles.
     const std::vector<std::uint64_t> changed = with_neighbors(split.voxels, volume.dims());
-    const std::vector<std::uint64_t> crossed = crossed_voxels(contour, [&](std::uint64_t voxel) {
-      return changed.empty() || std::binary_search(changed.begin(), changed.end(), voxel);
-    });
+    std::vector<std::uint64_t> crossed = crossed_voxels(contour, changed);
     if (crossed.empty()) break;
     std::vector<std::uint64_t> voxels = united(split.voxels, crossed);
     if (voxels.size() == split.voxels.size() && ++trial == kCellsPerSide.size()) {
-      contour.crossed_voxels = crossed.size();
+      contour.crossed_voxels = std::move(crossed);
       break;
     }
     split.voxels = std::move(voxels);
@@ -142,7 +108,9 @@ ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa
                             split.voxels.size(), vertices);
     contour = build_contour(volume, kappa, split);
   }
-  if (contour.split_voxels > 0) perturb_coincident(contour, kPerturbationVoxels * shortest);
+  if (contour.split_voxels > 0 && perturb_coincident(contour, kPerturbationVoxels * shortest)) {
+    contour.crossed_voxels = crossed_voxels(contour, {});
+  }
   return contour;
 }
 

@@ -4,9 +4,11 @@
 // edges, which the neighbor does not know.
 //
 // Between two crossings of grid edges, cells make a polyline in the face, on one side of the
-// segment that joins the two: the curve there is a branch of a hyperbola. The polyline is moved
-// into the block by so little that nothing comes between, and triangles close the gap to the
-// segment. Two branches in one pixel bend away from each other, so nothing crosses.
+// segment that joins the two: the curve there is a branch of a hyperbola. The polyline is lifted,
+// which is to say moved into the block, and triangles close the gap to the segment. Two branches in
+// one pixel bend away from each other, so nothing crosses there. But where samples are next to
+// kappa, T may be nearer to the face than the lifted vertices. So all triangles of the voxel are
+// tested by exact predicates, and its vertices are lifted less while some cross.
 #pragma once
 
 #include "contour/contour.h"
@@ -14,7 +16,8 @@
 
 namespace deliso {
 
-// pre: T is embedded. The vertices that are moved are off Sigma by kPerturbationVoxels.
+// The vertices that are moved are off Sigma by kPerturbationVoxels at most. Where triangles cross
+// at the least lift too, their voxel joins `crossed_voxels`.
 void make_seams_plain(ContourMesh& contour, const Volume& block);
 
 }  // namespace deliso

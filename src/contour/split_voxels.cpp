@@ -32,7 +32,8 @@ class SplitMesher final : public ContourSink {
         listed_(split.voxels),
         cells_(split.factor),
         dims_(volume.dims()),
-        voxels_(volume.voxels()) {
+        voxels_(volume.voxels()),
+        inner_faces_(volume.inner_faces()) {
     first_across_y_.resize(voxels_.i, kNoId);
     first_across_z_.resize(first_across_y_.size() * voxels_.j, kNoId);
   }
@@ -69,7 +70,7 @@ class SplitMesher final : public ContourSink {
     mesher_.begin_voxel();
     bool crowded = true;
     if (is_split) {
-      crowded = mesh_cells(p);
+      crowded = mesh_cells(p) || (outer_faces(p.voxel, voxels_) & inner_faces_) != 0;
     } else {
       mesh_beside(p, at);
     }
@@ -203,6 +204,7 @@ class SplitMesher final : public ContourSink {
   const VoxelNumbers& listed_;
   Cells cells_;
   Index3 dims_, voxels_;
+  const unsigned inner_faces_;
   std::vector<ContourId> first_across_y_, first_across_z_;  // first ids on the faces ahead
   ContourId first_across_x_ = kNoId;
   std::vector<BoundarySegment> boundary_;

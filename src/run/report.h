@@ -20,7 +20,7 @@ enum class Counter : std::uint8_t {
   // Stage 1
   components_skipped,  // by --min-component
   voxels_cut,          // voxels in which the exact contour was made of cells
-  voxels_crossed,      // those of them in which triangles of it cross all the same
+  voxels_crossed,      // voxels in which triangles of it cross all the same
   unready_facets,      // facets handed over whose dual line misses Sigma within r
   coarsened_again,     // coarsenings made again because the mesh came to cross itself
   // Stage 2

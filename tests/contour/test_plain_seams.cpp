@@ -6,10 +6,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <tuple>
 
+#include "base/random.h"
 #include "blocks/grid.h"
 #include "cases.h"
 #include "check/check_mesh.h"
@@ -23,6 +25,27 @@ using namespace deliso;
 namespace {
 
 using EndPoints = std::set<std::tuple<double, double, double>>;
+
+std::size_t crossings_of(const ContourMesh& t) {
+  const std::vector<Triangle> triangles = contour_as_mesh(t).mesh.triangles();
+  return find_crossings(t.points, triangles, TriangleTree(t.points, triangles)).pairs.size();
+}
+
+// Noise of doubles, of which many are equal to kappa or next to it.
+struct Tied {
+  Volume volume;
+  double kappa;
+};
+Tied tied_noise(std::uint64_t seed) {
+  Random random(seed);
+  Index3 dims;
+  for (int axis = 0; axis < 3; ++axis) dims[axis] = 3 + static_cast<int>(random.below(4));
+  const std::uint32_t levels = 3 + random.below(4);
+  std::vector<double> samples(static_cast<std::size_t>(dims.i * dims.j * dims.k));
+  for (double& sample : samples) sample = random.below(levels);
+  const double below = std::array{0.0, 1e-12, 1e-10, 1e-8}[seed % 4];
+  return {Volume::from_samples(dims, {1, 1, 1}, samples), 1 + random.below(levels - 1) - below};
+}
 
 }  // namespace
 
@@ -72,4 +95,49 @@ TEST_CASE("blocks end on their common face alike, at crossings of grid edges") {
   }
   CHECK(lifted > 0);
   CHECK(segments > 0);
+}
+
+// The lifted vertices are 1e-7 voxel off the face. Beside a sample that is 1e-8 above kappa, or
+// equal to it, T's other vertices were nearer, and its triangles stood in the way.
+TEST_CASE("nothing crosses at a seam where T is nearer to the face than 1e-7 voxel") {
+  const std::vector<double> equal{2, 2, 3, 0, 0, 2, 2, 2, 1, 1, 2, 2};
+  const std::vector<double> above{4, 2, 1, 0, 2, 0, 1, 0, 4, 4, 2, 0};
+  for (const auto& [samples, kappa] : {std::pair(equal, 2.0), std::pair(above, 2 - 1e-8)}) {
+    CAPTURE(kappa);
+    const Volume volume = Volume::from_samples<double>({3, 2, 2}, {1, 1, 1}, samples);
+    std::size_t lifted = 0;
+    for (const SampleBox& box : BlockGrid(volume, 1).boxes()) {
+      const Volume block = samples_of(volume, box);
+      ContourMesh t = fine_contour(build_contour(block, kappa), block, kappa);
+      REQUIRE(crossings_of(t) == 0);
+      const std::size_t before = t.triangles.size();
+      make_seams_plain(t, block);
+      lifted += t.triangles.size() - before;
+      CHECK(crossings_of(t) == 0);
+      CHECK(t.crossed_voxels.empty());
+    }
+    CHECK(lifted > 0);
+  }
+}
+
+TEST_CASE("plain seams make no triangles cross, and crossed_voxels tells where some did before") {
+  std::size_t lifted = 0, crossed = 0;
+  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+    CAPTURE(seed);
+    const Tied tied = tied_noise(seed);
+    for (const SampleBox& box : BlockGrid(tied.volume, 1 + static_cast<int>(seed % 3)).boxes()) {
+      const Volume block = samples_of(tied.volume, box);
+      ContourMesh t = fine_contour(build_contour(block, tied.kappa), block, tied.kappa);
+      const std::size_t before = t.triangles.size();
+      const bool was_embedded = t.crossed_voxels.empty();
+      CHECK((crossings_of(t) == 0) == was_embedded);
+      make_seams_plain(t, block);
+      lifted += t.triangles.size() - before;
+      CHECK((crossings_of(t) == 0) == t.crossed_voxels.empty());
+      CHECK(t.crossed_voxels.empty() == was_embedded);
+      crossed += !was_embedded;
+    }
+  }
+  CHECK(lifted > 0);
+  CHECK(crossed > 0);
 }
