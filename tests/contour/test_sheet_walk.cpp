@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include <vector>
+#include <cstdint>
 
 #include "base/random.h"
 #include "cases.h"
@@ -30,7 +30,8 @@ TEST_CASE("a sheet leads along every edge of T, and never to another component")
     }
     Random random(static_cast<std::uint64_t>(trial));
     for (int n = 0; n < 200; ++n) {
-      const ContourId p(random.below(points.size())), q(random.below(points.size()));
+      const auto count = static_cast<std::uint32_t>(points.size());
+      const ContourId p(random.below(count)), q(random.below(count));
       if (contour.component[p] == contour.component[q]) continue;
       REQUIRE_FALSE(walk.leads(points[p], points[q]));
       ++apart;
