@@ -44,16 +44,16 @@ std::string mask_advice(const Input& input) {
 }
 
 std::string tie_advice(const MeshRun& run) {
-  const Volume& volume = run.input.volume();
+  const std::optional<Volume>& volume = run.input.field.source.in_memory;
   const double isovalue = *run.input.isovalue;
-  if (run.input.field.label || run.triangles == 0 || run.quality.min_angle >= kThinAngle ||
-      !is_whole(isovalue)) {
+  if (!volume || run.input.field.label || run.triangles == 0 ||
+      run.quality.min_angle >= kThinAngle || !is_whole(isovalue)) {
     return {};
   }
   bool equal = false;
   double below = -std::numeric_limits<double>::infinity();
-  volume.visit([&](const auto* samples) {
-    for (std::size_t n = 0; samples && n < volume.sample_count(); ++n) {
+  volume->visit([&](const auto* samples) {
+    for (std::size_t n = 0; n < volume->sample_count(); ++n) {
       const auto value = static_cast<double>(samples[n]);
       equal |= value == isovalue;
       if (value < isovalue) below = std::max(below, value);
