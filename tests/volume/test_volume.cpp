@@ -243,11 +243,12 @@ TEST_CASE("value_range refuses samples of which products overflow") {
   CHECK(value_range(at(1e75)).max == 1e75);
   CHECK(value_range(at(-1e75)).min == -1e75);
   for (const double large : {1.001e75, -1.001e75, 1e300, -5e307}) {
-    CHECK_THROWS_WITH_AS(value_range(at(large), "v.npy"),
-                         text("v.npy: the sample at (5, 4, 3) is ", large,
-                              ", out of range (-1e+75 to 1e+75): scale all samples")
-                             .c_str(),
-                         InputError);
+    CHECK_THROWS_WITH_AS(
+        value_range(at(large), "v.npy"),
+        text("v.npy: the sample at (5, 4, 3) is ", large,
+             ", out of range (-1e+75 to 1e+75): scale all samples, or replace a fill value")
+            .c_str(),
+        InputError);
   }
   constexpr float kLargestFloat = std::numeric_limits<float>::max();
   const std::vector<float> floats(8, kLargestFloat);
