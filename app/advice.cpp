@@ -44,18 +44,19 @@ std::string mask_advice(const Input& input) {
 }
 
 std::string tie_advice(const MeshRun& run) {
-  const Volume& volume = run.input.volume();
+  const std::optional<Volume>& volume = run.input.field.source.in_memory;
   const double isovalue = *run.input.isovalue;
   // Of integers the level lies off all samples (geometric_isovalue()).
-  const bool is_float = volume.type() == SampleType::f32 || volume.type() == SampleType::f64;
-  if (run.input.field.label || !is_float || run.triangles == 0 ||
+  const SampleType type = run.input.grid().type();
+  const bool is_float = type == SampleType::f32 || type == SampleType::f64;
+  if (!volume || run.input.field.label || !is_float || run.triangles == 0 ||
       run.quality.min_angle >= kThinAngle || !is_whole(isovalue)) {
     return {};
   }
   bool equal = false;
   double below = -std::numeric_limits<double>::infinity();
-  volume.visit([&](const auto* samples) {
-    for (std::size_t n = 0; samples && n < volume.sample_count(); ++n) {
+  volume->visit([&](const auto* samples) {
+    for (std::size_t n = 0; n < volume->sample_count(); ++n) {
       const auto value = static_cast<double>(samples[n]);
       equal |= value == isovalue;
       if (value < isovalue) below = std::max(below, value);

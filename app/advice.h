@@ -16,7 +16,8 @@ namespace deliso {
 std::string mask_advice(const Input& input);
 
 // Whole samples of floats equal the isovalue, and the mesh has thin triangles where they do: the
-// surface passes next to them. Half a step lower the same samples are inside.
+// surface passes next to them. Half a step lower the same samples are inside. Looks at samples in
+// memory only, so that a join reads no others for an advice.
 std::string tie_advice(const MeshRun& run);
 
 // The mesh of labels is open where they reach the volume's border.

@@ -30,7 +30,7 @@ std::string share_text(std::size_t part, std::size_t whole) {
 
 // `bound`: infinite if there is none.
 std::string distances_text(const char* name, const Distances& d, double bound, double voxel,
-                           const Volume& volume) {
+                           const Grid& volume) {
   if (d.points == 0) return text(name, "not measured\n");
   const auto in_voxels = [&](double length) { return rounded(length / voxel); };
   std::string line =
@@ -125,7 +125,7 @@ std::string counts_text(const TopologyCounts& t) {
 
 }  // namespace
 
-VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
+VerifyOptions verify_options(const CommandLine& line, const Grid& volume,
                              const std::optional<Criteria>& noted) {
   const Options& asked = line.options;
   VerifyOptions options;
@@ -159,7 +159,7 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
   return options;
 }
 
-std::string verification_text(const Verification& v, const Volume& volume) {
+std::string verification_text(const Verification& v, const Grid& volume) {
   const double voxel = volume.voxel();
   std::string out = "check     " + counts_text(v.mesh) +
                     "\n          exact: " + counts_text(v.exact) + "; " +
@@ -197,7 +197,7 @@ std::string verification_text(const Verification& v, const Volume& volume) {
   return out;
 }
 
-void add_verification(ReportWriter& out, const Verification& v, const Volume& volume) {
+void add_verification(ReportWriter& out, const Verification& v, const Grid& volume) {
   const double voxel = volume.voxel();
   const DelaunayShare& d = v.delaunay;
   out.open("check", "what the verifier found, given the mesh and the volume alone");
@@ -310,7 +310,7 @@ void add_check(ReportWriter& out, std::string_view mesh, bool by_comments, const
   out.add("criteria_of_file", by_comments, "judged by the criteria in the file's comment");
   add_input(out, input);
   out.add("isovalue", input.isovalue.value_or(0), "as given");
-  add_verification(out, v, input.volume());
+  add_verification(out, v, input.grid());
 }
 
 }  // namespace deliso

@@ -23,7 +23,7 @@ inline constexpr const char* kKeepDoubles =
 // Both the check command and --check judge by `noted`, the criteria in the mesh's file, and require
 // that few triangles are over a limit if there are any. Limits given to the check command go before
 // these, and it requires a distance given.
-VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
+VerifyOptions verify_options(const CommandLine& line, const Grid& volume,
                              const std::optional<Criteria>& noted);
 
 // Verifies a mesh in the world, given what its file says. The check command and --check do this.
@@ -42,10 +42,10 @@ CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const Command
 
 // Returns aligned lines. Lengths are in voxels, places of faults in the
 // world.
-std::string verification_text(const Verification& v, const Volume& volume);
+std::string verification_text(const Verification& v, const Grid& volume);
 
 // Adds an object "check".
-void add_verification(ReportWriter& out, const Verification& v, const Volume& volume);
+void add_verification(ReportWriter& out, const Verification& v, const Grid& volume);
 // Adds the members of the check command's report.
 void add_check(ReportWriter& out, std::string_view mesh, bool by_comments, const Input& input,
                const Verification& v);

@@ -62,7 +62,7 @@ std::optional<Criteria> noted_criteria(std::span<const std::string> comments) {
   return std::nullopt;
 }
 
-std::string criteria_note(const CommandLine& line, const Volume& volume) {
+std::string criteria_note(const CommandLine& line, const Grid& volume) {
   const Options& options = line.options;
   const std::string field = field_note(line.field, volume);
   if (options.stop_after_stage1) {

@@ -25,6 +25,6 @@ std::optional<Criteria> noted_criteria(std::span<const std::string> comments);
 // Returns the line for the mesh of a run. With --vertices it has no distance, since none was asked
 // for. For a mesh without criteria (Marching Cubes, Stage 1 alone) it names the method, and a check
 // ignores it. The words of the field follow (app/field.h).
-std::string criteria_note(const CommandLine& line, const Volume& volume);
+std::string criteria_note(const CommandLine& line, const Grid& volume);
 
 }  // namespace deliso

@@ -24,12 +24,12 @@ namespace {
 constexpr std::size_t kMostGrayValues = 1000;
 
 // Lengths that were given in voxels stay as they are, to the last digit.
-double in_voxels(const Length& length, const Volume& volume) {
+double in_voxels(const Length& length, const Grid& volume) {
   return length.unit == Length::Unit::voxel ? length.value : length.in(volume) / volume.voxel();
 }
 
 // The facts of the field that was made of a label.
-LabelFacts facts_of(const Field& field, const Volume& whole, const FieldOptions& options,
+LabelFacts facts_of(const Volume& field, const Grid& whole, const FieldOptions& options,
                     const LabelSamples& label, int threads) {
   const Vec3 s = whole.spacing();
   LabelFacts facts;
@@ -38,13 +38,13 @@ LabelFacts facts_of(const Field& field, const Volume& whole, const FieldOptions&
   facts.samples = label.samples;
   facts.volume = world_volume(label.volume * s.x * s.y * s.z, whole.frame());
   facts.weight = label.weight;
-  facts.off = inside_volume(field.volume, threads) / label.volume - 1;
+  facts.off = inside_volume(field, threads) / label.volume - 1;
   return facts;
 }
 
 }  // namespace
 
-Vec3 sigma_of(const Length& smooth, const Volume& volume) {
+Vec3 sigma_of(const Length& smooth, const Grid& volume) {
   Vec3 sigma;
   int widest = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -63,8 +63,9 @@ Vec3 sigma_of(const Length& smooth, const Volume& volume) {
   return sigma;
 }
 
-Field unfiltered_field(const Volume& volume, const FieldOptions& options) {
-  Field field{volume};
+Field unfiltered_field(const VolumeSource& samples, const FieldOptions& options) {
+  const Grid& volume = samples.shape;
+  Field field{samples};
   field.median = options.median;
   std::optional<Length> smooth = options.smooth;
   if (options.of_labels() && !smooth) smooth = {1, Length::Unit::voxel};
@@ -78,17 +79,18 @@ Field unfiltered_field(const Volume& volume, const FieldOptions& options) {
 Field make_field(const Segmentation& samples, const FieldOptions& options,
                  std::span<const LabelSamples> found, std::string_view name, int threads) {
   const Stopwatch watch;
-  const Volume& volume = samples.volume;
-  Field field = unfiltered_field(volume, options);
+  Volume volume = samples.volume;
+  Field field = unfiltered_field(source_of(volume), options);
   if (!options.labels.empty()) {
     LabelFields labels = label_fields(samples, options, found, name, threads);
     const std::int64_t label = options.labels.front();
-    field.volume = labels.field(label);
-    field.label = facts_of(field, volume, options, labels.weighed(label), threads);
+    volume = labels.field(label);
+    field.label = facts_of(volume, samples.volume, options, labels.weighed(label), threads);
   } else {
-    if (field.median > 0) field.volume = median(field.volume, field.median, threads);
-    if (options.smooth) field.volume = gaussian(field.volume, field.sigma, threads);
+    if (field.median > 0) volume = median(volume, field.median, threads);
+    if (options.smooth) volume = gaussian(volume, field.sigma, threads);
   }
+  if (field.is_filtered()) field.source = source_of(volume);
   field.seconds = watch.seconds();
   return field;
 }
@@ -99,12 +101,12 @@ LabelFields label_fields(const Segmentation& samples, const FieldOptions& option
     fail(name, "looks like a gray image, not like labels, and has ", found.size(),
          " values: try --iso");
   }
-  const Field field = unfiltered_field(samples.volume, options);
+  const Field field = unfiltered_field(source_of(samples.volume), options);
   return {samples, {found.begin(), found.end()}, options.labels, {field.median, field.sigma}, name,
           threads};
 }
 
-std::string field_note(const FieldOptions& options, const Volume& volume) {
+std::string field_note(const FieldOptions& options, const Grid& volume) {
   std::string words;
   if (options.median > 0) words += text(" median=", options.median);
   if (options.smooth) words += text(" smooth=", in_voxels(*options.smooth, volume));

@@ -13,7 +13,7 @@
 #include "app/command_line.h"
 #include "app/report_writer.h"
 #include "io/filter/label_fields.h"
-#include "volume/volume.h"
+#include "volume/volume_source.h"
 
 namespace deliso {
 
@@ -28,7 +28,7 @@ struct LabelFacts {
 };
 
 struct Field {
-  Volume volume;
+  VolumeSource source;      // of its samples; not in memory where parts are filtered one by one
   int median = 0;           // radius, in samples; 0: none
   Vec3 sigma{};             // in samples; 0: none
   double sigma_voxels = 0;  // in a voxel's shortest sides
@@ -39,7 +39,7 @@ struct Field {
 };
 
 // Returns the field before its filters. Labels are always smoothed. Throws as sigma_of() does.
-Field unfiltered_field(const Volume& volume, const FieldOptions& options);
+Field unfiltered_field(const VolumeSource& samples, const FieldOptions& options);
 
 // Returns the field. Throws InputError, with the volume's `name`, for labels that it has not, for
 // those of a gray image with too many values, and for a Gaussian out of range. `found`: the
@@ -53,11 +53,11 @@ LabelFields label_fields(const Segmentation& samples, const FieldOptions& option
 
 // Returns the standard deviations of a Gaussian in samples along the axes. Throws InputError for
 // one out of range.
-Vec3 sigma_of(const Length& smooth, const Volume& volume);
+Vec3 sigma_of(const Length& smooth, const Grid& volume);
 
 // Returns " median=1 smooth=0.5 label=1,4" or the like, for the comment in a mesh's file. Lengths
 // are in voxels. Empty without a filter.
-std::string field_note(const FieldOptions& options, const Volume& volume);
+std::string field_note(const FieldOptions& options, const Grid& volume);
 // Returns these words of the program's line in a file's comments; nothing without that line.
 std::optional<std::string> noted_field(std::span<const std::string> comments);
 

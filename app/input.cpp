@@ -120,7 +120,7 @@ Input input_of(const Source& source, const CommandLine& line) {
   Field field =
       make_field({source.volume, source.log.ids}, line.field, source.labels, line.input, threads);
   const ValueRange range =
-      field.is_filtered() ? value_range(field.volume, line.input) : source.range;
+      field.is_filtered() ? value_range(all_of(field.source), line.input) : source.range;
   Input input{line.input,     std::move(field), range,         source.log,
               source.seconds, line.isovalue,    source.warning};
   if (input.field.label) input.isovalue = 0;
@@ -132,8 +132,8 @@ Input read_input(const CommandLine& line, std::vector<std::string> others) {
 }
 
 void turn_to(AnatomicalSpace space, Input& input) {
-  Volume& volume = input.field.volume;
-  volume = volume.with_frame(volume.frame().in_space(space));
+  const Frame turned = input.grid().frame().in_space(space);
+  input.field.source = source_of(input.volume().with_frame(turned));
 }
 
 std::string no_surface_text(double isovalue, const ValueRange& range) {
@@ -142,7 +142,7 @@ std::string no_surface_text(double isovalue, const ValueRange& range) {
 }
 
 std::string input_text(const Input& input) {
-  const Volume& volume = input.volume();
+  const Grid& volume = input.grid();
   const Index3 dims = volume.dims();
   const auto sample_text = [&](double sample) {
     return is_integer(volume.type()) ? text(sample) : rounded(sample, 7);
@@ -172,7 +172,7 @@ std::string input_text(const Input& input) {
 }
 
 void add_input(ReportWriter& out, const Input& input) {
-  const Volume& volume = input.volume();
+  const Grid& volume = input.grid();
   const Frame& at = volume.frame();
   out.open("volume", "what was read");
   out.add("input", input.name, "as it was given: a path, builtin:NAME, or - for standard input");
@@ -187,12 +187,13 @@ void add_input(ReportWriter& out, const Input& input) {
   out.add_choice("space", static_cast<std::size_t>(at.space), names_up_to(AnatomicalSpace::lps),
                  "which way the world's axes point in a patient");
   const ValueRange range = input.range.value_or(ValueRange());
-  constexpr const char* kRange = "the smallest and the largest sample";
+  constexpr const char* kRange = "the smallest and the largest sample; a join does not look at all";
   if (!input.log.ids.empty() && !input.field.label) {
     const std::vector<std::int64_t>& ids = input.log.ids;
     out.add_list("range", std::array{ids.front(), ids.back()}, kRange);
   } else {
-    out.add_list("range", std::array{range.min, range.max}, "number", kRange);
+    out.optional(input.range.has_value())
+        .add_list("range", std::array{range.min, range.max}, "number", kRange);
   }
   if (out.if_any(!input.log.arrays.empty())) {
     out.open("arrays",

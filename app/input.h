@@ -16,13 +16,15 @@ namespace deliso {
 struct Input {
   std::string name;  // as the user gave it
   Field field;
-  std::optional<ValueRange> range;  // of the field; a join does not read all of it
+  std::optional<ValueRange> range;  // of the field; not known of a join, which does not read it
   ReadLog log;
   double seconds = 0;                // for reading, and for one pass over the samples
   std::optional<double> isovalue{};  // the user's, or the label's
   std::string warning{};             // one line for standard error, or none
 
-  const Volume& volume() const { return field.volume; }
+  const Grid& grid() const { return field.source.shape; }
+  // Returns the field with its samples, which are read if they are not in memory.
+  Volume volume() const { return all_of(field.source); }
 };
 
 // Replaces the segments of --label by their labels, and chooses the channel that has them. Throws
@@ -35,9 +37,9 @@ bool may_be_labels(const CommandLine& line);
 // does.
 ValueRange range_of(const Volume& volume, const ReadLog& log, std::string_view name);
 
-// Reads the command's input. Throws InputError, also for the first NaN or infinite sample. Also
-// throws if an output of the run cannot be written, or is a file that is read: of the volume or of
-// `others`.
+// Reads the command's input. Throws InputError, also for the first sample that value_range()
+// refuses. Also throws if an output of the run cannot be written, or is a file that is read: of the
+// volume or of `others`.
 Input read_input(const CommandLine& line, std::vector<std::string> others = {});
 
 // The same in two steps, for several fields of one volume.

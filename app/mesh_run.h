@@ -97,7 +97,7 @@ void warn_of_size(double vertices, const std::function<void(const std::string&)>
 
 // Warns in one line if single precision moves the points, as the file has them, by more than a
 // quarter of the bound on the distance, or of its default if there is none.
-void warn_of_rounding(const std::vector<Vec3>& points, double max_distance, const Volume& volume,
+void warn_of_rounding(const std::vector<Vec3>& points, double max_distance, const Grid& volume,
                       const std::function<void(const std::string&)>& warn);
 
 // Throws InputError if the mesh has no surface, but caps at most, unless the line allows that, or

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "app/input.h"
 #include "base/check.h"
 #include "base/text.h"
 #include "blocks/mesh_in_blocks.h"
@@ -30,7 +29,7 @@ bool is_noted(std::string_view word) {
 }
 
 // Returns how many samples on either side the filters reach.
-Index3 reach_of(const FieldOptions& options, const Volume& shape) {
+Index3 reach_of(const FieldOptions& options, const Grid& shape) {
   Index3 reach;
   const Vec3 sigma = options.smooth ? sigma_of(*options.smooth, shape) : Vec3{};
   for (int axis = 0; axis < 3; ++axis) reach[axis] = options.median + gaussian_radius(sigma[axis]);
@@ -40,7 +39,7 @@ Index3 reach_of(const FieldOptions& options, const Volume& shape) {
 // Returns the samples of a volume of this size that the part needs.
 Roi region_of_part(const CommandLine& line, Index3 dims, const Vec3& spacing) {
   if (line.field.of_labels() || !line.options.components.is_all()) return {{0, 0, 0}, dims};
-  const Volume shape = Volume::without_samples(dims, spacing, SampleType::u8, {});
+  const Grid shape(dims, spacing, SampleType::u8);
   const SampleBox blocks = box_of_part(shape, line.options, *line.part);
   const SampleBox box = grown(blocks, reach_of(line.field, shape), shape.voxels());
   return {box.begin, {box.end.i + 1, box.end.j + 1, box.end.k + 1}};
@@ -73,34 +72,31 @@ FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
     const Volume all = all_of(raw);
     value_range(all, name);
     const Segmentation labels{all, ids};
-    const Field field =
-        make_field(labels, line.field, find_labels(labels, name, threads), name, threads);
-    return {source_of(field.volume), 0};
+    return {make_field(labels, line.field, find_labels(labels, name, threads), name, threads), 0};
   }
-  const double isovalue = *line.isovalue;
-  if (!line.field.any()) {
-    const auto read = [raw, name](const SampleBox& box) {
+  Field field = unfiltered_field(raw, line.field);
+  if (!field.is_filtered()) {
+    field.source.read = [raw, name](const SampleBox& box) {
       Volume samples = raw.read(box);
       value_range(samples, name);
       return samples;
     };
-    return {{raw.shape, read, raw.in_memory}, isovalue};
+    return {std::move(field), *line.isovalue};
   }
-  const Volume& shape = raw.shape;
+  const Grid& shape = raw.shape;
   const Index3 reach = reach_of(line.field, shape);
-  const SampleType type = line.field.smooth ? gaussian_type(shape) : shape.type();
-  const auto read = [=, field = line.field](const SampleBox& box) {
-    const Volume around = raw.read(grown(box, reach, raw.shape.voxels()));
-    value_range(around, name);
-    return samples_of(make_field(around, field, {}, name, 1).volume, box);
-  };
-  return {{Volume::without_samples(shape.dims(), shape.spacing(), type, shape.frame()), read},
-          isovalue};
+  const SampleType type = line.field.smooth ? gaussian_type(shape.type()) : shape.type();
+  field.source = {shape.of_type(type), [=, options = line.field](const SampleBox& box) {
+                    const Volume around = raw.read(grown(box, reach, raw.shape.voxels()));
+                    value_range(around, name);
+                    return samples_of(all_of(make_field(around, options, {}, name, 1).source), box);
+                  }};
+  return {std::move(field), *line.isovalue};
 }
 
 PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::string& name,
                    Observer* observer, const std::vector<std::int64_t>& ids) {
-  const FieldSource field = field_source(raw, line, name, ids);
+  const auto [field, isovalue] = field_source(raw, line, name, ids);
   Options options = line.options;
   options.observer = observer;
   PartFile part;
@@ -109,15 +105,15 @@ PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::
     if (is_noted(word)) part.words.push_back(word);
   }
   std::ranges::sort(part.words);
-  const Volume& shape = field.source.shape;
+  const Grid& shape = field.source.shape;
   part.dims = shape.dims();
   part.spacing = shape.spacing();
   part.type = shape.type();
   part.frame = shape.frame();
-  part.isovalue = field.isovalue;
-  part.block = mesh_part(field.source, field.isovalue, options, part.choice);
-  part.samples_at_seams = checksum_at_seams(
-      field.source, block_grid(field.source, field.isovalue, options), part.choice);
+  part.isovalue = isovalue;
+  part.block = mesh_part(field.source, isovalue, options, part.choice);
+  part.samples_at_seams =
+      checksum_at_seams(field.source, block_grid(field.source, isovalue, options), part.choice);
   return part;
 }
 
@@ -158,32 +154,32 @@ CommandLine line_of_join(const CommandLine& join, const PartFile& part) {
 
 void require_field(std::span<const PartFile> parts, const FieldSource& field,
                    const Options& options, const std::string& volume) {
-  const Volume& shape = field.source.shape;
-  const BlockGrid grid = block_grid(field.source, field.isovalue, options);
+  const VolumeSource& source = field.field.source;
+  const BlockGrid grid = block_grid(source, field.isovalue, options);
   for (const PartFile& part : parts) {
-    const bool same = part.is_of(shape, field.isovalue) &&
-                      part.samples_at_seams == checksum_at_seams(field.source, grid, part.choice);
+    const bool same = part.is_of(source.shape, field.isovalue) &&
+                      part.samples_at_seams == checksum_at_seams(source, grid, part.choice);
     if (!same) throw InputError(quote(part.name), " is no part of ", quote(volume));
   }
 }
 
-Field field_to_report(FieldSource& field, const CommandLine& line) {
-  VolumeSource& source = field.source;
+Input input_of_join(const CommandLine& line, FieldSource field, ReadLog log, double seconds) {
+  VolumeSource& source = field.field.source;
   const bool needs_samples = line.check || line.attributes || line.options.cap;
   if (needs_samples && !source.in_memory) source = source_of(all_of(source));
-  return {source.in_memory.value_or(source.shape)};
+  return {line.input, std::move(field.field), {}, std::move(log), seconds, field.isovalue, ""};
 }
 
-TriMesh join_parts_of(const FieldSource& field, std::vector<PartFile> parts, MeshRun& run,
-                      Progress& progress, const std::function<void(const std::string&)>& warn) {
+TriMesh join_parts_of(std::vector<PartFile> parts, MeshRun& run, Progress& progress,
+                      const std::function<void(const std::string&)>& warn) {
   Options options = run.line.options;
   options.observer = &progress;
   std::vector<Block> blocks;
   blocks.reserve(parts.size());
   for (PartFile& part : parts) blocks.push_back(std::move(part.block));
   return of_unchanged(run.input.log.files, [&] {
-    TriMesh mesh =
-        mesh_of_parts(field.source, field.isovalue, options, std::move(blocks), run.report);
+    TriMesh mesh = mesh_of_parts(run.input.field.source, *run.input.isovalue, options,
+                                 std::move(blocks), run.report);
     require_surface(run, mesh);
     examine_mesh(run, mesh, progress, warn);
     return mesh;

@@ -9,6 +9,7 @@
 
 #include "app/command_line.h"
 #include "app/field.h"
+#include "app/input.h"
 #include "app/mesh_run.h"
 #include "app/progress.h"
 #include "blocks/block.h"
@@ -26,16 +27,16 @@ namespace deliso {
 // components, or if there is a region of interest. pre: `line` lives until the volume is read.
 ReadOptions reading_of_part(const CommandLine& line);
 
-// The field that is meshed, from a volume that is read box by box; and its isovalue.
+// The field that is meshed, of which the samples may be read box by box; and its isovalue.
 struct FieldSource {
-  VolumeSource source;
+  Field field;
   double isovalue = 0;
 };
 
 // Returns the field. Each box is filtered by itself, with the samples around it that the filters
 // reach, so its samples are those of the whole field. Of labels all of the volume is read now.
-// Reading throws InputError, with the volume's `name`, for a NaN or infinite sample. `ids`: those
-// of the samples (ReadLog).
+// Reading throws InputError, with the volume's `name`, for a sample that value_range() refuses.
+// `ids`: those of the samples (ReadLog).
 FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
                          const std::string& name, const std::vector<std::int64_t>& ids = {});
 
@@ -54,13 +55,15 @@ CommandLine line_of_join(const CommandLine& join, const PartFile& part);
 void require_field(std::span<const PartFile> parts, const FieldSource& field,
                    const Options& options, const std::string& volume);
 
-// Returns the field for the report and a check. Reads all of it if a check or caps need it in
-// memory.
-Field field_to_report(FieldSource& field, const CommandLine& line);
+// Returns the input of a join, of which `log` and `seconds` tell how the volume was opened. Reads
+// all samples of the field if the line needs them: for a check, for caps, for attributes. What else
+// the report tells needs the samples of few voxels.
+Input input_of_join(const CommandLine& line, FieldSource field, ReadLog log = {},
+                    double seconds = 0);
 
-// Joins the parts, which are in order and of this field. Checks and measures the mesh as
+// Joins the parts, which are in order and of the run's field. Checks and measures the mesh as
 // mesh_input() does, and fills in the run. Calls `warn` with each warning. Throws InputError.
-TriMesh join_parts_of(const FieldSource& field, std::vector<PartFile> parts, MeshRun& run,
-                      Progress& progress, const std::function<void(const std::string&)>& warn);
+TriMesh join_parts_of(std::vector<PartFile> parts, MeshRun& run, Progress& progress,
+                      const std::function<void(const std::string&)>& warn);
 
 }  // namespace deliso

@@ -174,7 +174,7 @@ void add_mesh(ReportWriter& out, const MeshRun& run) {
                   "at most as many, and at most 2 % or one fewer");
   out.optional(report[Counter::cap_lifts_off_surface] > 0)
       .add(
-          "max_off_surface_voxels", run.max_off_surface / run.input.volume().voxel(),
+          "max_off_surface_voxels", run.max_off_surface / run.input.grid().voxel(),
           "with --cap: the largest distance of a vertex from the surface, if some had to leave it");
   out.add("fault", run.fault, "the first rule of a mesh that it breaks; empty: none");
   add_topology(out, "topology", run.mesh, "of the mesh, without caps");
@@ -251,7 +251,7 @@ void add_run(ReportWriter& out, const MeshRun& run) {
   add_counters(out, report);
   add_mesh(out, run);
   if (out.if_any(run.verification.has_value())) {
-    add_verification(out, run.verification.value_or(Verification()), run.input.volume());
+    add_verification(out, run.verification.value_or(Verification()), run.input.grid());
   }
   add_memory(out, run.peak_bytes);
 }
@@ -356,7 +356,7 @@ std::string report_json(const MeshRun& run) {
 std::string report_schema() {
   const CommandLine line;
   const Input input{
-      "", {Volume::without_samples({2, 2, 2}, {1, 1, 1}, SampleType::u8, {})}, {}, {}};
+      "", {source_of(Volume::from_samples({2, 2, 2}, {1, 1, 1}, std::vector<float>(8)))}, {}, {}};
   ReportWriter out;
   out.describe_report("mesh", [&] { add_run(out, MeshRun(line, input)); });
   const Source source{input.volume(), {}, {}, {}, 0};

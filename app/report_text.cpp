@@ -212,7 +212,7 @@ std::string report_text(const MeshRun& run) {
   const std::uint64_t off_surface = report[Counter::cap_lifts_off_surface];
   if (off_surface > 0) {
     lines += text("off       ", counted(off_surface, "vertex", "vertices"), " up to ",
-                  rounded(run.max_off_surface / run.input.volume().voxel()),
+                  rounded(run.max_off_surface / run.input.grid().voxel()),
                   " voxels off the surface, to keep edges out of the faces of the box\n");
   }
   if (run.input.field.label && run.has_volume()) {
@@ -233,9 +233,9 @@ std::string report_text(const MeshRun& run) {
   }
   const bool refined = !options.stop_after_stage1 && !run.line.paper;
   if (run.triangles > 0 && refined) {
-    lines += distance_text(options, report, run.input.volume().voxel(), verbose);
+    lines += distance_text(options, report, run.input.grid().voxel(), verbose);
   }
-  if (run.verification) lines += verification_text(*run.verification, run.input.volume());
+  if (run.verification) lines += verification_text(*run.verification, run.input.grid());
   if (verbose) {
     const std::string counts =
         counters_text(report) + published_counts(run.published) + operations_text(report);

@@ -44,7 +44,7 @@ int run_check(const CommandLine& line) {
   TriMesh mesh = read_mesh(line.meshes.front(), &notes);
   Input input = read_input(line, line.meshes);
   turn_to(mesh.frame.space, input);
-  const std::string asked = field_note(line.field, input.volume());
+  const std::string asked = field_note(line.field, input.grid());
   const auto made = noted_field(notes.comments);
   if (made && *made != asked) {
     print_warning(one_line(text(line.meshes.front(), " is of another field: its file says",
@@ -58,7 +58,7 @@ int run_check(const CommandLine& line) {
   if (!line.quiet && line.json != "-") {
     const char* judged = run.by_comments ? ", judged by the criteria in its comment\n" : "\n";
     std::string text = "mesh      " + one_line(line.meshes.front()) + judged + input_text(input) +
-                       verification_text(result, input.volume());
+                       verification_text(result, input.grid());
     if (run.is_single && result.faults.count(FaultKind::self_intersections) > 0) {
       text += std::string(
                   "          coordinates are in single precision, which may be why "

@@ -34,15 +34,13 @@ int run_join(const CommandLine& join) {
   const Volume volume = read_volume(line.input, read, &log);
   std::ranges::copy(log.paths(), std::back_inserter(files));
   require_outputs(std::vector{line.output, line.json}, files);
-  FieldSource field = field_source(source_of(volume), line, line.input, log.ids);
+  const FieldSource field = field_source(source_of(volume), line, line.input, log.ids);
   require_field(parts, field, line.options, line.input);
 
   ProgressBar progress(mesh_stages(line), !line.quiet);
-  const Input input{
-      line.input, field_to_report(field, line), {}, log, reading.seconds(), field.isovalue, ""};
+  const Input input = input_of_join(line, field, log, reading.seconds());
   MeshRun run(line, input);
-  const TriMesh mesh =
-      join_parts_of(field, std::move(parts), run, progress, warner(progress, line));
+  const TriMesh mesh = join_parts_of(std::move(parts), run, progress, warner(progress, line));
   write_files(total, progress, run, mesh);
   print_report(run);
   return run.sound() ? kExitSuccess : kFaultFound;

@@ -82,34 +82,35 @@ double max_off_surface(const Volume& volume, const TriMesh& mesh, const Report& 
   return largest;
 }
 
-ClosePlaces close_places(const TriMesh& mesh, const Volume& volume, int threads) {
+ClosePlaces close_places(const TriMesh& mesh, const VolumeSource& field, int threads) {
   const std::vector<Triangle> triangles = mesh.triangles();
   const VertexGrids grids(mesh.points, triangles);
   return find_close_places(mesh.points, triangles, edge_uses(mesh.points.size(), triangles), grids,
-                           volume, threads);
+                           field, threads);
 }
 
 // Checks and measures the mesh for the report, in threads.
-void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, bool reported,
-             MeshRun& run) {
+void examine(const TriMesh& mesh, const TriMesh& surface, bool reported, MeshRun& run) {
   const Options& options = run.line.options;
+  const VolumeSource& field = run.input.field.source;
+  const Grid& grid = field.shape;
   std::string boundary_fault;
   std::vector<std::function<void()>> looks{
       [&] { run.fault = check_mesh(mesh); },
-      [&] { boundary_fault = check_boundary_on_box(surface, volume.box()); }};
+      [&] { boundary_fault = check_boundary_on_box(surface, grid.box()); }};
   if (reported) {
     looks.emplace_back([&] { run.mesh = mesh_topology(surface).counts(); });
     looks.emplace_back([&] {
       run.quality =
           measure_quality(surface, options.limits[Criterion::r_over_l].value, run.report.r_min);
     });
-    looks.emplace_back([&] { run.close = close_places(surface, volume, options.threads); });
+    looks.emplace_back([&] { run.close = close_places(surface, field, options.threads); });
   }
   if (reported && options.cap) {
     looks.emplace_back([&] {
       const TriMesh caps = part_of(mesh, run.report.cap.surface_triangles, mesh.faces.size());
       run.cap_quality = measure_quality(caps, options.limits[Criterion::r_over_l].value, 0);
-      run.volume = world_volume(enclosed_volume(mesh), volume.frame());
+      run.volume = world_volume(enclosed_volume(mesh), grid.frame());
     });
     looks.emplace_back([&] {
       const std::vector<Triangle> triangles = mesh.triangles();
@@ -117,16 +118,17 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
       std::fill(is_cap.begin() + static_cast<std::ptrdiff_t>(run.report.cap.surface_triangles),
                 is_cap.end(), true);
       run.close_at_caps =
-          count_at_caps(close_places(mesh, volume, options.threads), triangles, is_cap);
+          count_at_caps(close_places(mesh, field, options.threads), triangles, is_cap);
     });
   }
   if (reported && options.cap && run.report[Counter::cap_lifts_off_surface] > 0) {
-    looks.emplace_back([&] { run.max_off_surface = max_off_surface(volume, mesh, run.report); });
+    looks.emplace_back(
+        [&] { run.max_off_surface = max_off_surface(all_of(field), mesh, run.report); });
   }
   for_each_task(options.threads, looks.size(), [&](std::size_t n) { looks[n](); });
   if (run.fault.empty()) run.fault = boundary_fault;
   if (reported && run.has_volume() && !options.cap) {
-    run.volume = world_volume(enclosed_volume(mesh), volume.frame());
+    run.volume = world_volume(enclosed_volume(mesh), grid.frame());
   }
 }
 
@@ -138,7 +140,7 @@ void verify_run(const TriMesh& mesh, Progress& progress, MeshRun& run) {
   if (line.output.empty()) write = {.format = MeshFormat::ply};
   const TriMesh& made = run.rounded ? *run.rounded : mesh;
   WrittenMesh file = written_mesh(made, write);
-  MeshNotes notes{{criteria_note(line, run.input.volume())}, 0};
+  MeshNotes notes{{criteria_note(line, run.input.grid())}, 0};
   if (write.format == MeshFormat::glb) notes.rounding = 2 * float_rounding(file.points);
   const Vec3 origin = written_origin(made, write);
   for (Vec3& p : file.points) p = p + origin;
@@ -178,7 +180,7 @@ std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run,
   const std::vector<Vec3> points =
       is_written ? written_points(mesh, line.write) : std::vector<Vec3>(mesh.points);
   if (is_single) {
-    warn_of_rounding(points, run.report.max_distance, run.input.volume(), warn);
+    warn_of_rounding(points, run.report.max_distance, run.input.grid(), warn);
   }
   run.written = run.in_double = find(points);
   if (!is_single || run.written.count() == 0) return std::nullopt;
@@ -227,7 +229,7 @@ void warn_of_size(double vertices, const Warn& warn) {
   warn(words);
 }
 
-void warn_of_rounding(const std::vector<Vec3>& points, double max_distance, const Volume& volume,
+void warn_of_rounding(const std::vector<Vec3>& points, double max_distance, const Grid& volume,
                       const Warn& warn) {
   constexpr double kMostOfDistance = 0.25;
   const double usual = Options::usual_limits()[Criterion::distance].in(volume);
@@ -241,21 +243,20 @@ void warn_of_rounding(const std::vector<Vec3>& points, double max_distance, cons
 
 MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
   const CommandLine& line = run.line;
-  const Volume& volume = run.input.volume();
   MeshWriteOptions options = line.write;
-  options.comment = criteria_note(line, volume);
+  options.comment = criteria_note(line, run.input.grid());
   const std::size_t first_cap = run.report.cap.surface_triangles;
   if (line.options.cap) options.first_cap = first_cap;
   if (line.attributes) {
     const TriMesh surface = part_of(mesh, 0, line.options.cap ? first_cap : mesh.faces.size());
-    options.attributes = mesh_attributes(mesh, surface, volume, run.report, line.options.threads);
+    options.attributes =
+        mesh_attributes(mesh, surface, run.input.volume(), run.report, line.options.threads);
   }
   return options;
 }
 
 void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress, const Warn& warn) {
   const CommandLine& line = run.line;
-  const Volume& volume = run.input.volume();
   progress.show("check", 0);
   const Stopwatch watch;
   run.vertices = mesh.points.size();
@@ -265,7 +266,7 @@ void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress, const W
   if (line.options.cap) without_caps = part_of(mesh, 0, run.report.cap.surface_triangles);
   const TriMesh& surface = line.options.cap ? without_caps : mesh;
   const bool reported = !line.quiet || line.check || !line.json.empty();
-  examine(volume, mesh, surface, reported, run);
+  examine(mesh, surface, reported, run);
   if (!line.quiet && count_stop(run) != CountStop::none) warn(count_text(run));
   if (const std::string advice = tie_advice(run); reported && !advice.empty()) warn(advice);
   if (run.is_open_label() && !run.is_one_of_all) warn(border_advice(run.input.field.label->labels));

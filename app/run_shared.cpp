@@ -28,7 +28,7 @@ void write_label_meshes(const SharedRun& run, std::span<const CommandLine> lines
     const std::int64_t label = run.labels[body].label.label;
     if (label == 0) continue;
     TriMesh mesh = run.mesh.mesh_of(body);
-    mesh.frame = run.input.volume().frame();
+    mesh.frame = run.input.grid().frame();
     MeshWriteOptions write = options_of_label(united, label);
     write.format = one->write.format;
     write.name = one->write.name;

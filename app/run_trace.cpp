@@ -48,7 +48,7 @@ int run_trace(const CommandLine& line) {
   ProgressBar progress(mesh_stages(line), !line.quiet);
   progress.show("reading", 0);
   const Input input = read_input(line);
-  require_limits(line.options, input.volume());
+  require_limits(line.options, input.grid());
   Trace trace(line.trace_limit, line.trace_times);
   Report report;
   const TriMesh mesh = traced_mesh(line, input, progress, trace, report);
@@ -60,7 +60,7 @@ int run_trace(const CommandLine& line) {
   const TopologyCounts topology = mesh_topology(mesh).counts();
   PageData data;
   add_trace(trace, data);
-  const bool has_samples = input.volume().sample_count() <= kMostSamplesShown;
+  const bool has_samples = input.grid().sample_count() <= kMostSamplesShown;
   if (has_samples) add_samples(input.volume(), *input.range, data);
   const std::string title = "deliso trace " + std::filesystem::path(input.name).filename().string();
   {

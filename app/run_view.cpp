@@ -80,7 +80,7 @@ int run_view(const CommandLine& line) {
   if (input) {
     header.add("volume", short_name(input->name));
     header.add("iso", *input->isovalue);
-    header.add("voxel", input->volume().voxel());
+    header.add("voxel", input->grid().voxel());
   }
   header.open_list("meshes");
   for (std::size_t n = 0; n < meshes.size(); ++n) {
@@ -96,7 +96,7 @@ int run_view(const CommandLine& line) {
     sizes += (n == 0 ? "" : " | ") + counted(mesh.faces.size(), "triangle");
     add_mesh(data, mesh, middle, n);
     if (input) {
-      bring_home(mesh, input->volume().frame());
+      bring_home(mesh, input->grid().frame());
       data.add(text("h", n),
                as_floats(distances_in_voxels(mesh, input->volume(), *input->isovalue)));
     }

@@ -55,7 +55,7 @@ SurfaceEstimate estimate_interfaces(std::span<const Volume> fields) {
 // Returns the labels' weighted indicators.
 std::vector<Volume> fields_of(SharedRun& run, Progress& progress) {
   const CommandLine& line = run.line;
-  const Volume& volume = run.input.volume();
+  const Volume volume = run.input.volume();
   const Stopwatch watch;
   std::vector<LabelSamples> found;
   for (const SharedLabel& l : run.labels) found.push_back(l.label);
@@ -116,7 +116,7 @@ void find_sides(SharedRun& run, const Partition& partition) {
 
 // Counts, measures and tests the mesh of each label.
 void examine_labels(SharedRun& run, const Partition& partition) {
-  const Volume& volume = run.input.volume();
+  const Grid& volume = run.input.grid();
   const Vec3 s = volume.spacing();
   for_each_task(run.line.options.threads, run.labels.size(), [&](std::size_t body) {
     SharedLabel& l = run.labels[body];
@@ -143,12 +143,12 @@ void examine_labels(SharedRun& run, const Partition& partition) {
 void examine_whole(SharedRun& run, const Warn& warn) {
   const TriMesh mesh = united_mesh(run);
   const double lambda = run.line.options.limits[Criterion::r_over_l].value;
-  run.quality = measure_quality(mesh, lambda, run.line.options.r_min.in(run.input.volume()));
+  run.quality = measure_quality(mesh, lambda, run.line.options.r_min.in(run.input.grid()));
   MeshWriteOptions write = united_options(run);
   if (!write.format) write.format = MeshFormat::ply;
   const WrittenMesh written = written_mesh(mesh, write);
   if (writes_single_precision(write)) {
-    warn_of_rounding(written.points, run.report.max_distance, run.input.volume(), warn);
+    warn_of_rounding(written.points, run.report.max_distance, run.input.grid(), warn);
   }
   run.written = find_place_faults(written.points, written.triangles, run.line.options.threads);
   std::vector<VertexId> used;
@@ -161,7 +161,7 @@ void examine_whole(SharedRun& run, const Warn& warn) {
 
 void mesh_labels(SharedRun& run, Progress& progress, const Warn& warn) {
   const CommandLine& line = run.line;
-  const Volume volume = run.input.volume();
+  const Grid& volume = run.input.grid();
   require_limits(line.options, volume);
   std::vector<Volume> fields = fields_of(run, progress);
   warn_of_size(expected_vertices(estimate_interfaces(fields), volume, line.options), warn);
@@ -212,9 +212,12 @@ double sharp_percent(const MeshQuality& quality) {
 
 SharedRun::SharedRun(const CommandLine& command_line, const Source& source,
                      std::span<const CommandLine> lines)
-    : line(command_line), input{line.input,     unfiltered_field(source.volume, line.field),
-                                source.range,   source.log,
-                                source.seconds, {},
+    : line(command_line), input{line.input,
+                                unfiltered_field(source_of(source.volume), line.field),
+                                source.range,
+                                source.log,
+                                source.seconds,
+                                {},
                                 source.warning} {
   for (const LabelSamples& found : source.labels) {
     SharedLabel label;
@@ -245,15 +248,15 @@ TriMesh united_mesh(const SharedRun& run) {
   triangles.reserve(run.mesh.facets.size());
   for (const InterfaceFacet& facet : run.mesh.facets) triangles.push_back(facet.v);
   TriMesh mesh = make_tri_mesh(run.mesh.points, triangles);
-  mesh.frame = run.input.volume().frame();
+  mesh.frame = run.input.grid().frame();
   return mesh;
 }
 
 MeshWriteOptions united_options(const SharedRun& run) {
   MeshWriteOptions write = run.line.write;
   if (!run.line.shared.empty()) write.format = mesh_format_of(run.line.shared);
-  write.comment = text("deliso ", kVersion, " shared",
-                       field_note(run.line.field, run.input.volume()), kAllLabels);
+  write.comment = text("deliso ", kVersion, " shared", field_note(run.line.field, run.input.grid()),
+                       kAllLabels);
   write.sides = run.sides;
   if (run.line.options.cap) write.first_cap = run.mesh.inner_facets;
   return write;

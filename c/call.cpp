@@ -104,9 +104,8 @@ CommandLine parse(std::vector<std::string> words, double isovalue, const char* c
   return parse(std::move(words), options, reads);
 }
 
-void take(const TriMesh& surface, const VolumeSource& field, MeshRun& run, double seconds,
-          deliso_mesh& made) {
-  made.normals = normals_of(surface, field, run.line.options);
+void take(const TriMesh& surface, MeshRun& run, double seconds, deliso_mesh& made) {
+  made.normals = normals_of(surface, run.input.field.source, run.line.options);
   made.mesh = written_mesh(surface, {.format = MeshFormat::ply});
   made.write = write_options(run, surface);
   made.space = surface.frame.space;

@@ -105,9 +105,8 @@ class WatchedProgress : public Progress {
   double begin_, end_;
 };
 
-// Fills in what `made` has of the surface, which the run has examined. `field`: what was meshed.
-void take(const TriMesh& surface, const VolumeSource& field, MeshRun& run, double seconds,
-          deliso_mesh& made);
+// Fills in what `made` has of the surface, which the run has examined.
+void take(const TriMesh& surface, MeshRun& run, double seconds, deliso_mesh& made);
 
 // Returns a copy on the heap of C, for deliso_text_free(), with a zero byte behind it.
 char* copied(const std::string& text);

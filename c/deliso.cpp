@@ -66,7 +66,7 @@ bool make_mesh(const CommandLine& line, const Source& source, WatchedProgress& p
   made = std::make_unique<deliso_mesh>();
   const TriMesh surface = mesh_input(
       run, progress, [&](const std::string& warning) { made->warnings += warning + "\n"; });
-  take(surface, deliso::source_of(input.volume()), run, total.seconds(), *made);
+  take(surface, run, total.seconds(), *made);
   return run.sound();
 }
 

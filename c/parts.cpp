@@ -32,9 +32,8 @@ VolumeSource volume_of(const deliso_source* given) {
   if (grid.type.wide != StoredType::Wide::no) {
     throw InputError("a source has no integers of 64 bits: give them as float64");
   }
-  // The shape's samples are never looked at.
-  const std::span none(static_cast<const std::byte*>(nullptr), data_size(grid));
-  const Volume shape = volume_from_raw(grid, {kName, none, nullptr});
+  data_size(grid);  // refuses what no address space holds
+  const Grid shape = grid_of_volume(grid);
   const auto mutex = std::make_shared<std::mutex>();
   const auto read = [shape, mutex, source = *given](const SampleBox& box) {
     const size_t begin[] = {static_cast<size_t>(box.begin.k), static_cast<size_t>(box.begin.j),
@@ -99,16 +98,16 @@ deliso_status deliso_join(const char* const* parts, const size_t* sizes, size_t 
     }
     sort_parts(files);
     const CommandLine line = line_of_join(join, files.front());
-    FieldSource field = field_source(volume, line, kName);
+    const FieldSource field = field_source(volume, line, kName);
     require_field(files, field, line.options, kName);
     WatchedProgress progress(mesh_stages(line), watch);
-    const Input input{kName, field_to_report(field, line), {}, {}, 0, field.isovalue, ""};
+    const Input input = input_of_join(line, field);
     MeshRun run(line, input);
     auto made = std::make_unique<deliso_mesh>();
     const TriMesh surface =
-        join_parts_of(field, std::move(files), run, progress,
+        join_parts_of(std::move(files), run, progress,
                       [&](const std::string& warning) { made->warnings += warning + "\n"; });
-    take(surface, field.source, run, total.seconds(), *made);
+    take(surface, run, total.seconds(), *made);
     *mesh = made.release();
     return run.sound();
   });

@@ -23,8 +23,8 @@ constexpr std::size_t kMaxBoxesOfVertex = 1u << 20;
 class ClosePlaceSearch {
  public:
   ClosePlaceSearch(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
-                   const VertexGrids& grids, const Volume& volume, int threads)
-      : points_(points), triangles_(triangles), grids_(grids), volume_(volume), threads_(threads) {
+                   const VertexGrids& grids, const VolumeSource& field, int threads)
+      : points_(points), triangles_(triangles), grids_(grids), field_(field), threads_(threads) {
     for (const Triangle& t : triangles) {
       for (const VertexId v : t) is_open_[v] = 1;
     }
@@ -77,12 +77,12 @@ class ClosePlaceSearch {
   Vec3 middle(FaceId f) const { return (corner(f, 0) + corner(f, 1) + corner(f, 2)) / 3; }
   // True if g falls along the triangle's normal at p.
   bool faces_outwards(FaceId f, const Vec3& p) const {
-    return dot(normal(f), volume_.gradient(p)) < 0;
+    return dot(normal(f), gradient_at(field_, p)) < 0;
   }
 
   // Each triangle looks for vertices around it. Of several at a vertex the first is reported.
   void find_near() {
-    const double near = near_distance(volume_);
+    const double near = near_distance(field_.shape);
     struct Work {
       std::vector<std::pair<VertexId, FaceId>> near;
       std::size_t given_up = 0;
@@ -118,7 +118,7 @@ class ClosePlaceSearch {
   const std::vector<Vec3>& points_;
   std::span<const Triangle> triangles_;
   const VertexGrids& grids_;
-  const Volume& volume_;
+  const VolumeSource& field_;
   const int threads_;
   std::vector<std::uint8_t> is_needle_ = std::vector<std::uint8_t>(triangles_.size(), 0);
   // Per vertex: a corner of triangles, but of no needle or fold.
@@ -143,14 +143,14 @@ bool has_triangle_near(const std::vector<Vec3>& points, std::span<const Triangle
   return found;
 }
 
-double near_distance(const Volume& volume) {
+double near_distance(const Grid& volume) {
   return kNearVoxels * volume.voxel();
 }
 
 ClosePlaces find_close_places(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                               std::span<const EdgeUse> uses, const VertexGrids& grids,
-                              const Volume& volume, int threads) {
-  return ClosePlaceSearch(points, triangles, grids, volume, threads).run(uses);
+                              const VolumeSource& field, int threads) {
+  return ClosePlaceSearch(points, triangles, grids, field, threads).run(uses);
 }
 
 std::size_t count_at_caps(const ClosePlaces& found, std::span<const Triangle> triangles,

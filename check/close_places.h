@@ -13,7 +13,7 @@
 #include "check/vertex_grids.h"
 #include "mesh/incidence.h"
 #include "mesh/tri_mesh.h"
-#include "volume/volume.h"
+#include "volume/volume_source.h"
 
 namespace deliso {
 
@@ -24,7 +24,7 @@ inline constexpr double kLeastAngle = 0.01, kLeastFold = 1;
 // Voxels (Volume::voxel()). A vertex nearer than that to a triangle of others is a near vertex.
 inline constexpr double kNearVoxels = 6e-4;
 // Returns that distance.
-double near_distance(const Volume& volume);
+double near_distance(const Grid& volume);
 
 // True if a triangle without corner v is within `distance` of v. Looks at a bounded number of them.
 bool has_triangle_near(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
@@ -38,12 +38,12 @@ struct ClosePlaces {
 };
 
 // Finds these places. A fold that the surface has too is none: there both triangles face the side
-// that the gradient of `volume` says. One place is found once: needles are in no fold, and corners
+// that the gradient of the field says. One place is found once: needles are in no fold, and corners
 // of needles and folds are no near vertices. The result is the same for any number of threads.
 // pre: the uses of edges and the grids are those of these triangles; none is degenerate.
 ClosePlaces find_close_places(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                               std::span<const EdgeUse> uses, const VertexGrids& grids,
-                              const Volume& volume, int threads = 1);
+                              const VolumeSource& field, int threads = 1);
 
 // Returns how many of the places of a solid have a part in its caps: a triangle that is one, or a
 // vertex of caps alone. `is_cap`: per triangle.

@@ -81,8 +81,8 @@ Pairs report_self_intersections(const TriMesh& mesh, const CleanMesh& clean,
 
 void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const VertexGrids& grids,
                          const Volume& volume, int threads, Faults& faults) {
-  const ClosePlaces found =
-      find_close_places(clean.points, clean.triangles, clean.uses, grids, volume, threads);
+  const ClosePlaces found = find_close_places(clean.points, clean.triangles, clean.uses, grids,
+                                              source_of(volume), threads);
   const auto named = [&](FaceId f) { return name_of_triangle(mesh, clean.id[f]); };
   const auto middle = [&](FaceId f) { return middle_of(mesh, clean.id[f]); };
   for (const FaceId f : found.needles) {
@@ -441,9 +441,10 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
     std::vector<bool> is_whole_cap;
     for (const FaceId id : whole.id) is_whole_cap.push_back(is_cap[id]);
     const VertexGrids whole_grids(whole.points, whole.triangles);
-    result.solid->close_places = count_at_caps(
-        find_close_places(whole.points, whole.triangles, whole.uses, whole_grids, volume, threads),
-        whole.triangles, is_whole_cap);
+    result.solid->close_places =
+        count_at_caps(find_close_places(whole.points, whole.triangles, whole.uses, whole_grids,
+                                        source_of(volume), threads),
+                      whole.triangles, is_whole_cap);
   } else {
     result.quality = measure_quality(mesh, options.limits[Criterion::r_over_l], r_min);
   }

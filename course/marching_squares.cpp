@@ -12,7 +12,8 @@
 //
 // Two squares that share an edge share its point, also across an edge of the box: every point ends
 // two pieces. The data are in paper/boundary_curves.h. Of a face f the axis is `axis_of(f)`, and f
-// is odd on the far side. See `Volume::dims`, `sample`, `index` and `position` (volume/volume.h).
+// is odd on the far side. See `Volume::sample` (volume/volume.h), and what a volume has of its
+// grid: `Grid::dims`, `index` and `position` (volume/grid.h).
 //
 // Hint: number the points in a std::map, by the two samples of their edge.
 BoundaryCurves marching_squares(const Volume& volume, double kappa) {

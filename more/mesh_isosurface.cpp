@@ -25,7 +25,7 @@ namespace {
 
 // Returns the parameters, and reports what follows from the options alone. Throws InputError beyond
 // their limits.
-Parameters checked_parameters(const Volume& shape, double isovalue, const Options& options,
+Parameters checked_parameters(const Grid& shape, double isovalue, const Options& options,
                               Report& report) {
   require_limits(options, shape);
   const Parameters parameters = resolve(options, shape);
@@ -95,7 +95,7 @@ TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& op
   return finish(std::move(whole), run, solid, report);
 }
 
-SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice part) {
+SampleBox box_of_part(const Grid& shape, const Options& options, PartChoice part) {
   if (grid_follows_surface(shape, options)) return {{0, 0, 0}, shape.voxels()};
   const std::vector<SampleBox> boxes = block_grid(shape, options).boxes();
   const CellRun own = cells_of(part, boxes.size());

@@ -19,11 +19,11 @@ namespace deliso {
 // voxel holds the isovalue. With options.cap the caps follow the surface, from
 // report.cap.surface_triangles on; they may be a whole box. Throws InputError for a volume without
 // a voxel, beyond the limits of run/options.h and beyond --max-vertices. pre: all samples are
-// finite (value_range() was called).
+// in range (value_range() was called).
 TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& options,
                         Report& report);
 
-// The same without a report. Throws InputError for a NaN or infinite sample, too.
+// The same without a report. Throws InputError for a sample out of range (value_range()), too.
 TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& options = {});
 
 // A volume meshed in parts, by several processes that share nothing. The mesh of all parts is that
@@ -32,7 +32,7 @@ TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& op
 // Returns the box of all samples that mesh_part() reads, unless components are chosen: the smallest
 // that holds the part's blocks, and a margin; all of the volume if its samples decide the grid
 // (blocks/mesh_in_blocks.h). Of a part without a block it is around some voxel.
-SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice part);
+SampleBox box_of_part(const Grid& shape, const Options& options, PartChoice part);
 
 // Returns the mesh of one part, with what its seams to others still need, and its report. It is
 // empty where there is no surface. Caps are left to mesh_of_parts(). pre: the source can be read in

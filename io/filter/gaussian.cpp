@@ -128,9 +128,9 @@ Volume gaussian(const Volume& volume, const Vec3& sigma, int threads) {
   });
 }
 
-SampleType gaussian_type(const Volume& volume) {
-  return volume.visit(
-      []<class T>(const T*) { return kFitsFloat<T> ? SampleType::f32 : SampleType::f64; });
+SampleType gaussian_type(SampleType type) {
+  return with_type(type,
+                   []<class T>(T) { return kFitsFloat<T> ? SampleType::f32 : SampleType::f64; });
 }
 
 }  // namespace deliso

@@ -24,6 +24,6 @@ int gaussian_radius(double sigma);
 Volume gaussian(const Volume& volume, const Vec3& sigma, int threads = 1);
 
 // Returns the type of the result.
-SampleType gaussian_type(const Volume& volume);
+SampleType gaussian_type(SampleType type);
 
 }  // namespace deliso

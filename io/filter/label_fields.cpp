@@ -47,11 +47,9 @@ double value_at(const Corners& c, int point) {
   return sum;
 }
 
-Volume volume_of(std::vector<float> samples, const Volume& like) {
+Volume volume_of(std::vector<float> samples, const Grid& like) {
   const auto owner = std::make_shared<const std::vector<float>>(std::move(samples));
-  return {like.dims(),     like.spacing(),
-          SampleType::f32, reinterpret_cast<const std::byte*>(owner->data()),
-          owner,           like.frame()};
+  return {like.of_type(SampleType::f32), reinterpret_cast<const std::byte*>(owner->data()), owner};
 }
 
 SampleExtent common(const SampleExtent& a, const SampleExtent& b) {
@@ -376,8 +374,7 @@ Volume LabelFields::weighted(std::int64_t label) {
       samples[at] = static_cast<float>(weight * static_cast<double>(s[at]));
     }
   });
-  const Volume like = Volume::without_samples(of.dims(), samples_.volume.spacing(), SampleType::f32,
-                                              samples_.volume.frame());
+  const Grid like(of.dims(), samples_.volume.spacing(), SampleType::f32, samples_.volume.frame());
   return volume_of(std::move(samples), like).as_block(of.first, samples_.volume.dims());
 }
 

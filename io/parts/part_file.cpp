@@ -187,11 +187,11 @@ void link_chain(SurfaceMesh& s, std::vector<Place> places, std::string_view name
 
 }  // namespace
 
-Volume PartFile::shape() const {
-  return Volume::without_samples(dims, spacing, type, frame);
+Grid PartFile::shape() const {
+  return {dims, spacing, type, frame};
 }
 
-bool PartFile::is_of(const Volume& field, double level) const {
+bool PartFile::is_of(const Grid& field, double level) const {
   return dims == field.dims() && spacing == field.spacing() && type == field.type() &&
          frame == field.frame() && isovalue == level;
 }
@@ -243,7 +243,7 @@ PartFile part_in(std::span<const std::byte> bytes, std::string_view name) {
           "its volume's type");
   require_in_range(part.dims, part.spacing, part.frame, name);
   require(std::isfinite(part.isovalue), name, "its isovalue");
-  const Volume shape = part.shape();
+  const Grid shape = part.shape();
   const Box3 box = shape.box();
   SurfaceMesh& s = part.block.mesh;
   const auto is_inside = [&](const Vec3& p) { return is_place(p, box); };

@@ -39,9 +39,9 @@ struct PartFile {
   Block block;
 
   // Returns the field without samples.
-  Volume shape() const;
+  Grid shape() const;
   // True if the part was made of this field at this isovalue, as far as its size and place tell.
-  bool is_of(const Volume& field, double level) const;
+  bool is_of(const Grid& field, double level) const;
 };
 
 std::string part_bytes(PartFile part);

@@ -45,7 +45,7 @@
 //    if it can be meshed, else the first that can, and the log says so. Of several channels or
 //    times the options choose one (several_volumes.h).
 // 6. A hostile or damaged file gives an InputError or a valid volume. Memory is allocated only for
-//    data that exists. value_range() finds NaN and infinite samples.
+//    data that exists. value_range() finds samples that are NaN or out of range.
 #pragma once
 
 #include <bit>
@@ -100,7 +100,7 @@ struct ReadOptions {
   std::optional<RawLayout> raw;  // if given, the input is plain raw data, with any name
   std::optional<Roi> roi;        // if given, only these samples are read; the origin moves along
   // If given, only the region that it returns for the volume's size and spacing is read, as a block
-  // of the whole (Volume::as_block). Not with a roi.
+  // of the whole (Grid::as_block). Not with a roi.
   RegionOf region{};
   std::optional<std::string> array{};     // which of a VTK file's arrays, by its name
   std::optional<std::uint64_t> series{};  // which of a DICOM folder's series, from 1 on

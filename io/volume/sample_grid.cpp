@@ -208,9 +208,7 @@ Bytes data_behind(const SampleGrid& grid, const Bytes& data, std::int64_t skip, 
   return data.from(static_cast<std::size_t>(skip));
 }
 
-Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
-  const std::uint64_t expected = data_size(grid);
-  if (data.size() != expected) fail(data.name, size_fault(grid, expected, data.size()));
+Grid grid_of_volume(const SampleGrid& grid) {
   auto [spacing, frame] = place(grid);
   if (const auto shear = shear_of(frame); shear && grid.log) {
     grid.log->notes.push_back(
@@ -229,10 +227,16 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
         frame.to_world({roi.begin.i * spacing.x, roi.begin.j * spacing.y, roi.begin.k * spacing.z});
   }
   const Index3 dims{roi.end.i - roi.begin.i, roi.end.j - roi.begin.j, roi.end.k - roi.begin.k};
+  const Grid read(dims, spacing, grid.type, frame);
+  return grid.read.region ? read.as_block(roi.begin, grid.size()) : read;
+}
 
-  const auto placed = [&](const Volume& volume) {
-    return grid.read.region ? volume.as_block(roi.begin, grid.size()) : volume;
-  };
+Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
+  const std::uint64_t expected = data_size(grid);
+  if (data.size() != expected) fail(data.name, size_fault(grid, expected, data.size()));
+  const Grid read = grid_of_volume(grid);
+  const Index3 dims = read.dims();
+  const Roi roi = region(grid, read.spacing());
   const SampleGrid::Among alone = places_alone(grid), at = grid.among.value_or(alone);
   const bool whole_slices =
       dims.i == grid.dims[0] && dims.j == grid.dims[1] && at.steps == alone.steps;
@@ -241,14 +245,13 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
       size_of(grid.type) * (at.first + at.steps[2] * static_cast<std::size_t>(roi.begin.k));
   const bool aligned = reinterpret_cast<std::uintptr_t>(start) % size_of(grid.type) == 0;
   const bool is_wide = grid.type.wide != StoredType::Wide::no;
-  if (whole_slices && aligned && !is_swapped(grid) && !is_wide)
-    return placed(Volume(dims, spacing, grid.type, start, data.owner, frame));
+  if (whole_slices && aligned && !is_swapped(grid) && !is_wide) return {read, start, data.owner};
 
   Buffer samples = copy_region(grid, roi, data.data);
   if (is_swapped(grid)) swap_bytes(samples.span(), size_of(grid.type));
   const SampleType type = is_wide ? convert_wide(grid, samples.span()) : grid.type.type;
   const Bytes bytes = bytes_of(std::move(samples), data.name);
-  return placed(Volume(dims, spacing, type, bytes.data.data(), bytes.owner, frame));
+  return {read.of_type(type), bytes.data.data(), bytes.owner};
 }
 
 Volume volume_from_text(const SampleGrid& grid, const Bytes& data, bool more_may_follow) {

@@ -91,6 +91,8 @@ std::string describe(const SampleGrid& grid);
 // bytes, for a message.
 Bytes data_behind(const SampleGrid& grid, const Bytes& data, std::int64_t skip, const char* which);
 
+// Returns the grid of the volume, of which the samples are elsewhere. pre: of no wide type.
+Grid grid_of_volume(const SampleGrid& grid);
 // Returns the volume. `data` has exactly the samples, with those that the grid is among.
 Volume volume_from_raw(const SampleGrid& grid, const Bytes& data);
 // Returns the volume. `data` has the samples as numbers in text, and nothing after them unless

@@ -11,7 +11,7 @@ constexpr int kMargin = 3;
 
 Borders::Borders(const Partition& partition, const Parameters& parameters, double distance,
                  const Sheets& sheets, const CutSheets& cut) {
-  const Volume& shape = partition.shape();
+  const Grid& shape = partition.shape();
   const Index3 last = shape.voxels();
   std::vector<SampleBox> boxes(cut.sheets.size(), {last, {0, 0, 0}});
   for (std::size_t f = 0; f < sheets.facets.size(); ++f) {

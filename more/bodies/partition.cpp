@@ -23,8 +23,7 @@ bool is_in(const Volume& block, Index3 sample) {
 
 }  // namespace
 
-Partition::Partition(const Volume& shape, std::vector<Volume> fields, BodyId background,
-                     int threads)
+Partition::Partition(const Grid& shape, std::vector<Volume> fields, BodyId background, int threads)
     : shape_(shape),
       fields_(std::move(fields)),
       background_(background),

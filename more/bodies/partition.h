@@ -25,10 +25,10 @@ class Partition {
   // `shape`: of the whole; its samples are not read. The field of a body is a block of it, in
   // float32. It is not negative, and 0 beyond the block. `background`: a body that has no caps, and
   // is in front of all others; kNoId: none.
-  Partition(const Volume& shape, std::vector<Volume> fields, BodyId background, int threads);
+  Partition(const Grid& shape, std::vector<Volume> fields, BodyId background, int threads);
 
   std::size_t size() const { return fields_.size(); }  // bodies
-  const Volume& shape() const { return shape_; }
+  const Grid& shape() const { return shape_; }
   BodyId background() const { return background_; }
   // The body behind face f of the box (base/box3.h).
   BodyId beyond(int f) const { return static_cast<BodyId>(size()) + static_cast<BodyId>(f); }
@@ -56,7 +56,7 @@ class Partition {
                                   unsigned faces) const;
 
  private:
-  Volume shape_;
+  Grid shape_;
   std::vector<Volume> fields_;
   BodyId background_;
   std::vector<BodyId> body_;  // per sample

@@ -47,7 +47,7 @@ void put_back(Region& region, Sheets& all) {
 
 }  // namespace
 
-Regions::Regions(const Volume& shape, int side, int shift) : shape_(shape) {
+Regions::Regions(const Grid& shape, int side, int shift) : shape_(shape) {
   const Index3 voxels = shape.voxels();
   for (int axis = 0; axis < 3; ++axis) {
     const int n = side > 0 ? std::max(1, (voxels[axis] + side / 2) / side) : 1;

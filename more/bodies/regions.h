@@ -19,7 +19,7 @@ class Regions {
   static constexpr int kShifts = 4;
   // `side`: about how many voxels a region has along each axis; 0: there is one. Not shifted, the
   // planes between regions are planes of samples.
-  Regions(const Volume& shape, int side, int shift);
+  Regions(const Grid& shape, int side, int shift);
 
   std::size_t size() const;
   // The samples of a region. pre: not shifted.
@@ -37,7 +37,7 @@ class Regions {
  private:
   Index3 planes() const;  // along each axis. Regions are numbered as voxels between samples are.
 
-  Volume shape_;
+  Grid shape_;
   std::array<std::vector<double>, 3> planes_;  // per axis; the faces of the volume's box, too
 };
 

@@ -28,7 +28,7 @@ constexpr double kCreaseDensity = 0.03;
 // bound, and topology alone needs more. Fitted to four noisy fields and ten clean ones.
 constexpr double kThinBase = 6, kThinDistance = 0.2;
 
-double density(const Options& options, const Volume& volume, double thin) {
+double density(const Options& options, const Grid& volume, double thin) {
   const double voxel = volume.voxel(), bent = thin * std::sqrt(thin);
   const double base = kBaseDensity + kThinBase * bent;
   const auto length = [&](Criterion c) { return options.limits[c].in(volume) / voxel; };
@@ -103,7 +103,7 @@ SurfaceEstimate estimate_surface(const Volume& volume, double kappa) {
   return surface;
 }
 
-double expected_vertices(const SurfaceEstimate& surface, const Volume& volume,
+double expected_vertices(const SurfaceEstimate& surface, const Grid& volume,
                          const Options& options) {
   double vertices = surface.area * density(options, volume, surface.thin);
   // T has a vertex at each crossing, and few more. Stage 1 removes some and adds none.

@@ -15,7 +15,7 @@ namespace deliso {
 
 struct SurfaceEstimate {
   double crossings = 0;  // of grid edges
-  double area = 0;       // in squares of Volume::voxel()
+  double area = 0;       // in squares of Grid::voxel()
   // Of the crossed edges along x and y, the share whose next edge is crossed too: sheets a sample
   // thick.
   double thin = 0;
@@ -29,7 +29,7 @@ SurfaceEstimate estimate_surface(const Volume& volume, double kappa);
 // of 3, and mostly within 30 %, for noise too, after either stage. By the paper's criteria it is
 // only an order of magnitude: their vertices at a crease depend on its angle. `surface`: the
 // volume's at the isovalue.
-double expected_vertices(const SurfaceEstimate& surface, const Volume& volume,
+double expected_vertices(const SurfaceEstimate& surface, const Grid& volume,
                          const Options& options);
 inline double expected_vertices(const Volume& volume, double kappa, const Options& options) {
   return expected_vertices(estimate_surface(volume, kappa), volume, options);

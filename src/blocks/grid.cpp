@@ -7,7 +7,7 @@
 
 namespace deliso {
 
-BlockGrid::BlockGrid(const Volume& volume, int side) {
+BlockGrid::BlockGrid(const Grid& volume, int side) {
   for (int axis = 0; axis < 3; ++axis) {
     const int voxels = volume.voxels()[axis], first = volume.first()[axis];
     const int parts = side > 0 ? std::max(1, (voxels + side / 2) / side) : 1;
@@ -59,7 +59,7 @@ CellRun cells_of(PartChoice part, std::size_t cells) {
   return {bound(part.number - 1), bound(part.number)};
 }
 
-int usual_block_side(const Volume& volume) {
+int usual_block_side(const Grid& volume) {
   const Index3 voxels = volume.voxels();
   return std::clamp(std::max({voxels.i, voxels.j, voxels.k}) / 5, 64, 128);
 }

@@ -18,7 +18,7 @@ struct BlockGrid {
   std::array<std::vector<int>, 3> planes;
 
   // Cuts the volume into equal parts along each axis, of about `side` voxels; 0: does not cut it.
-  BlockGrid(const Volume& volume, int side);
+  BlockGrid(const Grid& volume, int side);
   explicit BlockGrid(std::array<std::vector<int>, 3> given) : planes(std::move(given)) {}
   // Returns the boxes between neighboring planes: the cells. Rows along x, and layers of rows, are
   // passed back and forth, so each cell but the first shares a face with the one before it, and
@@ -44,6 +44,6 @@ CellRun cells_of(PartChoice part, std::size_t cells);
 // Returns about how many voxels a block has along each axis in a grid of equal sides: a fifth of
 // the volume's longest side, but 64 to 128. Where volumes are larger facets are too, and seams
 // would cost more vertices.
-int usual_block_side(const Volume& volume);
+int usual_block_side(const Grid& volume);
 
 }  // namespace deliso

@@ -82,7 +82,7 @@ Block refined_at_seams(const RunInput& run, const BlockGrid& grid, Block whole,
 
 }  // namespace
 
-bool grid_follows_surface(const Volume& shape, const Options& options) {
+bool grid_follows_surface(const Grid& shape, const Options& options) {
   const Index3 voxels = shape.voxels();
   return options.block_side == Options::kUsualSide &&
          std::uint64_t(voxels.i) * voxels.j * voxels.k <= kMostFollowedVoxels;
@@ -93,7 +93,7 @@ BlockGrid block_grid(const VolumeSource& source, double isovalue, const Options&
   return BlockGrid(planes_at_equal_shares(SurfaceWork(source, isovalue, options.threads)));
 }
 
-BlockGrid block_grid(const Volume& shape, const Options& options) {
+BlockGrid block_grid(const Grid& shape, const Options& options) {
   const bool is_usual = options.block_side == Options::kUsualSide;
   return BlockGrid(shape, is_usual ? usual_block_side(shape) : options.block_side);
 }

@@ -18,13 +18,13 @@ namespace deliso {
 // True if the grid's planes follow from the samples (blocks/equal_shares.h). A part then reads all
 // of the volume. So it is where no side is asked for, in volumes that one process meshes in
 // seconds. Larger ones have many blocks anyway.
-bool grid_follows_surface(const Volume& shape, const Options& options);
+bool grid_follows_surface(const Grid& shape, const Options& options);
 
 // Returns the grid of blocks of a run by these options. (With an observer of insertions it is one
 // block instead.) Reads the source if the grid follows from it.
 BlockGrid block_grid(const VolumeSource& source, double isovalue, const Options& options);
 // Returns the grid of equal sides, which follows from the shape alone.
-BlockGrid block_grid(const Volume& shape, const Options& options);
+BlockGrid block_grid(const Grid& shape, const Options& options);
 
 // The blocks of a part of the volume's cells, side by side.
 class PartInBlocks {

@@ -22,7 +22,7 @@ IdArray<Id, T> in_order(const IdArray<Id, T>& old, const std::vector<Id>& order)
   return ordered;
 }
 
-std::vector<VertexId> vertex_order(const TriMesh& mesh, const BlockGrid& grid, const Volume& shape,
+std::vector<VertexId> vertex_order(const TriMesh& mesh, const BlockGrid& grid, const Grid& shape,
                                    int threads) {
   const IdArray<VertexId, std::uint8_t> is_used = mesh.used_vertices();
   const Index3 cells = grid.cells();
@@ -64,7 +64,7 @@ std::vector<FaceId> facet_order(const IdArray<FaceId, Face>& faces, std::size_t 
   return order;
 }
 
-void order_by_place(Block& block, const BlockGrid& grid, const Volume& shape, int threads) {
+void order_by_place(Block& block, const BlockGrid& grid, const Grid& shape, int threads) {
   SurfaceMesh& s = block.mesh;
   TriMesh& mesh = s.mesh;
   const std::vector<VertexId> vertices = vertex_order(mesh, grid, shape, threads);

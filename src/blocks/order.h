@@ -17,6 +17,6 @@ std::vector<FaceId> facet_order(const IdArray<FaceId, Face>& faces, std::size_t 
 // Removes dead facets and vertices without facets. Sorts the vertices by the cell of the grid that
 // they lie in, then by place; turns each facet so that its first vertex comes first, and sorts the
 // facets by their vertices. What is left to do at seams moves along.
-void order_by_place(Block& block, const BlockGrid& grid, const Volume& shape, int threads);
+void order_by_place(Block& block, const BlockGrid& grid, const Grid& shape, int threads);
 
 }  // namespace deliso

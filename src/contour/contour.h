@@ -85,7 +85,7 @@ std::vector<std::uint8_t> chosen_components(const ContourSummary& summary,
 // The closed curves in which T ends on the box. Consecutive points are crossings of grid edges (or
 // of edges of a split voxel's cells) on one pixel of one box face. Loops run as the triangles of T
 // do: T lies on the left seen from g < kappa. Each starts at its smallest vertex. The seams of a
-// block, its arcs on inner faces (Volume::inner_faces), are fixed.
+// block, its arcs on inner faces (Grid::inner_faces), are fixed.
 struct ContourBoundary {
   BoundaryLoops loops;
   std::vector<std::vector<ContourId>> vertices;  // per loop: those at its points

@@ -18,7 +18,7 @@ constexpr double kGapVoxels = 1e-3;
 
 }  // namespace
 
-double Length::in(const Volume& volume) const {
+double Length::in(const Grid& volume) const {
   switch (unit) {
     case Unit::box:
       return value * volume.box().smallest_side();
@@ -30,7 +30,7 @@ double Length::in(const Volume& volume) const {
   return value;
 }
 
-void require_limits(const Options& o, const Volume& volume) {
+void require_limits(const Options& o, const Grid& volume) {
   if (!(volume.box().smallest_side() > 0)) {
     throw InputError("a volume needs two or more samples along each axis");
   }
@@ -57,7 +57,7 @@ PerCriterion<Length> Options::usual_limits() {
   return limits;
 }
 
-Parameters resolve(const Options& o, const Volume& volume) {
+Parameters resolve(const Options& o, const Grid& volume) {
   const double voxel = volume.voxel(), r_min = o.r_min.in(volume);
   Parameters p{};
   static_cast<RunSettings&>(p) = o;

@@ -12,14 +12,14 @@
 namespace deliso {
 
 // A length: in world units, as a share of the smallest side b of the box, or in voxels (`0.5vox`,
-// Volume::voxel()). As a criterion's limit it may be a ratio, with Unit::world.
+// Grid::voxel()). As a criterion's limit it may be a ratio, with Unit::world.
 struct Length {
   enum class Unit : std::uint8_t { world, box, voxel };
   double value = 0;
   Unit unit = Unit::world;
 
   // Returns the length in the scaled frame.
-  double in(const Volume& volume) const;
+  double in(const Grid& volume) const;
 };
 
 struct Options : RunSettings {
@@ -53,9 +53,9 @@ struct Options : RunSettings {
 inline constexpr double kSmallestRMin = 0.001;  // voxels
 
 // Throws InputError if r_min is smaller, or a criterion's limit is below its least.
-void require_limits(const Options& options, const Volume& volume);
+void require_limits(const Options& options, const Grid& volume);
 
 // Returns the options with all lengths in the scaled frame of the volume.
-Parameters resolve(const Options& options, const Volume& volume);
+Parameters resolve(const Options& options, const Grid& volume);
 
 }  // namespace deliso

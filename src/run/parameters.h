@@ -26,7 +26,7 @@ struct RunSettings {
 };
 
 struct Parameters : RunSettings {
-  double voxel;  // Volume::voxel()
+  double voxel;  // Grid::voxel()
   double r_min;
   double gap;  // facets that face each other are moved apart by so much, at least
   Criteria refinement;

@@ -10,6 +10,8 @@
 #include <string>
 #include <type_traits>
 
+#include "base/check.h"
+#include "base/text.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -45,19 +47,28 @@ struct Extremes {
 };
 
 template <class T>
+bool is_in_range(T sample) {
+  return std::fabs(static_cast<double>(sample)) <= kLargestSample;
+}
+
+template <class T>
 [[noreturn]] void fail_sample(const Volume& volume, std::string_view name, const T* samples) {
   std::size_t n = 0;
-  while (std::isfinite(samples[n])) ++n;
+  while (is_in_range(samples[n])) ++n;
   const std::size_t nx = static_cast<std::size_t>(volume.dims().i);
   const std::size_t ny = static_cast<std::size_t>(volume.dims().j);
   const auto place = [](std::size_t index, int first) {
     return std::to_string(index + static_cast<std::size_t>(first));
   };
   const Index3 first = volume.first();
-  throw InputError(name, ": ", std::isnan(samples[n]) ? "NaN" : "infinite", " sample at (",
-                   place(n % nx, first.i), ", ", place(n / nx % ny, first.j), ", ",
-                   place(n / nx / ny, first.k), ")",
-                   std::isnan(samples[n]) ? ": --nan VALUE gives such samples a value" : "");
+  const std::string at = text(" sample at (", place(n % nx, first.i), ", ",
+                              place(n / nx % ny, first.j), ", ", place(n / nx / ny, first.k), ")");
+  if (std::isnan(samples[n])) {
+    throw InputError(name, ": NaN", at, ": --nan VALUE gives such samples a value");
+  }
+  if (std::isinf(samples[n])) throw InputError(name, ": infinite", at);
+  throw InputError(name, ": the", at, " is ", samples[n], ", out of range (", -kLargestSample,
+                   " to ", kLargestSample, "): scale all samples, or replace a fill value");
 }
 
 // How far below an isovalue that samples may equal the level lies, in steps of integers: the golden
@@ -81,7 +92,10 @@ ValueRange value_range(const Volume& volume, std::string_view name) {
         extremes.add(lane, v);
         zeros[lane] += v * T{0};
       });
-      if (std::accumulate(zeros.begin(), zeros.end(), T{0}) != 0) fail_sample(volume, name, s);
+      const bool is_finite = std::accumulate(zeros.begin(), zeros.end(), T{0}) == 0;
+      if (!is_finite || !is_in_range(extremes.min()) || !is_in_range(extremes.max())) {
+        fail_sample(volume, name, s);
+      }
     } else {
       for_each_lane(s, volume.sample_count(),
                     [&](std::size_t lane, T v) { extremes.add(lane, v); });

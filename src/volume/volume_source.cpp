@@ -53,13 +53,17 @@ Volume samples_of(const Volume& volume, const SampleBox& box) {
 }
 
 VolumeSource source_of(const Volume& volume) {
-  return {
-      Volume::without_samples(volume.whole_dims(), volume.spacing(), volume.type(), volume.frame()),
-      [volume](const SampleBox& box) { return samples_of(volume, box); }, volume};
+  return {volume.whole(), [volume](const SampleBox& box) { return samples_of(volume, box); },
+          volume};
 }
 
 Volume all_of(const VolumeSource& source) {
   return source.in_memory ? *source.in_memory : source.read({{}, source.shape.voxels()});
+}
+
+Vec3 gradient_at(const VolumeSource& source, const Vec3& p) {
+  const Index3 voxel = source.shape.voxel_at(p);
+  return source.read({voxel, corner_of(voxel, 7)}).gradient(p);
 }
 
 }  // namespace deliso

@@ -28,14 +28,16 @@ Volume samples_of(const Volume& volume, const SampleBox& box);
 // A volume whose samples are read box by box, so that no process needs all of them. `shape` has its
 // size, spacing, type and frame; its samples are read by `read` alone, in any thread.
 struct VolumeSource {
-  Volume shape;
+  Grid shape;
   std::function<Volume(const SampleBox&)> read;  // as samples_of() returns them
   std::optional<Volume> in_memory{};             // what `read` copies from, if it does so
 };
-// Returns the source of a volume in memory. It may be a region of a larger one (Volume::as_block),
+// Returns the source of a volume in memory. It may be a region of a larger one (Grid::as_block),
 // which is the source's; then only boxes within the region can be read.
 VolumeSource source_of(const Volume& volume);
 // Returns the volume itself, read if it is not in memory.
 Volume all_of(const VolumeSource& source);
+// Returns the gradient of g (Volume::gradient). Reads the samples of one voxel.
+Vec3 gradient_at(const VolumeSource& source, const Vec3& p);
 
 }  // namespace deliso

@@ -94,9 +94,10 @@ TEST_CASE("a world length is another number of samples on each axis, and vox the
   const Field world = make_field(volume, options, {}, "v", 2);
   CHECK(world.sigma == Vec3{2, 1, 0.25});
   CHECK(world.sigma_voxels == doctest::Approx(1 / std::cbrt(2)));
-  CHECK(same_samples(world.volume, gaussian(volume, {2, 1, 0.25})));
+  CHECK(same_samples(all_of(world.source), gaussian(volume, {2, 1, 0.25})));
   options.smooth = {1 / volume.voxel(), Length::Unit::voxel};
-  CHECK(same_samples(world.volume, make_field(volume, options, {}, "v", 1).volume));
+  const Field voxels = make_field(volume, options, {}, "v", 1);
+  CHECK(same_samples(all_of(world.source), all_of(voxels.source)));
   CHECK(world.is_filtered());
   CHECK_FALSE(make_field(volume, {}, {}, "v", 1).is_filtered());
 }
@@ -108,8 +109,8 @@ TEST_CASE("the median comes before the Gaussian") {
   options.smooth = {0.8, Length::Unit::voxel};
   const Field field = make_field(balls.volume, options, {}, "v", 2);
   const Vec3 sigma{0.8, 0.8, 0.8};
-  CHECK(same_samples(field.volume, gaussian(median(balls.volume, 1), sigma)));
-  CHECK_FALSE(same_samples(field.volume, median(gaussian(balls.volume, sigma), 1)));
+  CHECK(same_samples(all_of(field.source), gaussian(median(balls.volume, 1), sigma)));
+  CHECK_FALSE(same_samples(all_of(field.source), median(gaussian(balls.volume, sigma), 1)));
   CHECK(filter_text(field) ==
         "median of 3 x 3 x 3 samples, then Gaussian of sigma 0.8 voxels (0.8 0.8 0.8 samples)");
 }

@@ -153,10 +153,10 @@ TEST_CASE("the grid is the same read box by box, and on any number of threads") 
 }
 
 TEST_CASE("large volumes, and sides that are asked for, need no look at the samples") {
-  const Volume large = Volume::without_samples({515, 40, 40}, {1, 1, 1}, SampleType::u8, {});
+  const Grid large({515, 40, 40}, {1, 1, 1}, SampleType::u8);
   const VolumeSource unread{large, [](const SampleBox&) -> Volume { throw InputError("read"); }};
   CHECK(block_grid(unread, kIsovalue, {}).cells() == Index3{5, 1, 1});
-  const Volume small = Volume::without_samples({61, 61, 61}, {1, 1, 1}, SampleType::u8, {});
+  const Grid small({61, 61, 61}, {1, 1, 1}, SampleType::u8);
   Options options;
   options.block_side = 20;
   CHECK(block_grid({small, unread.read}, kIsovalue, options).cells() == Index3{3, 3, 3});

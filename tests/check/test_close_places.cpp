@@ -26,8 +26,8 @@ Volume falling(bool sheet) {
 ClosePlaces found_in(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
                      const Volume& volume, int threads = 1) {
   const VertexGrids grids(points, triangles);
-  return find_close_places(points, triangles, edge_uses(points.size(), triangles), grids, volume,
-                           threads);
+  return find_close_places(points, triangles, edge_uses(points.size(), triangles), grids,
+                           source_of(volume), threads);
 }
 
 double tangent(double degrees) {

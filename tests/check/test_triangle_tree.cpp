@@ -14,11 +14,11 @@ using namespace deliso;
 namespace {
 
 // Triangles at the nodes of a grid: many have their middles at one coordinate.
-struct Grid {
+struct SquareMesh {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
 
-  explicit Grid(int side) {
+  explicit SquareMesh(int side) {
     Random random(1);
     for (int n = 0; n < 4 * side * side; ++n) {
       const Vec3 at{1.0 * random.below(static_cast<std::uint32_t>(side)),
@@ -33,7 +33,7 @@ struct Grid {
 }  // namespace
 
 TEST_CASE("a leaf has its triangles in the order of their numbers") {
-  const Grid grid(20);
+  const SquareMesh grid(20);
   for (const int threads : {1, 2}) {
     const TriangleTree tree(grid.points, grid.triangles, threads);
     std::vector<FaceId> all;
@@ -48,7 +48,7 @@ TEST_CASE("a leaf has its triangles in the order of their numbers") {
 }
 
 TEST_CASE("the nearest triangle is as near as any") {
-  const Grid grid(8);
+  const SquareMesh grid(8);
   const TriangleTree tree(grid.points, grid.triangles);
   Random random(2);
   for (int n = 0; n < 500; ++n) {
@@ -64,7 +64,7 @@ TEST_CASE("the nearest triangle is as near as any") {
 
 // Points near the mesh are found by the triangles around which they are, the others by the tree.
 TEST_CASE("nearest triangles of points near and far are those of brute force") {
-  const Grid grid(8);
+  const SquareMesh grid(8);
   const TriangleTree tree(grid.points, grid.triangles);
   Random random(3);
   std::vector<Vec3> points;

@@ -63,12 +63,12 @@ void join(const std::string& first, const std::string& second) {
   sort_parts(parts);
   CommandLine line = line_of(parts.front(), kVolume);
   line.options.threads = 1;
-  FieldSource field = field_source(source(), line, kVolume);
+  const FieldSource field = field_source(source(), line, kVolume);
   require_field(parts, field, line.options, kVolume);
-  const Input input{kVolume, field_to_report(field, line), {}, {}, 0, field.isovalue, ""};
+  const Input input = input_of_join(line, field);
   MeshRun run(line, input);
   ProgressBar none(mesh_stages(line), false);
-  join_parts_of(field, std::move(parts), run, none, [](const std::string&) {});
+  join_parts_of(std::move(parts), run, none, [](const std::string&) {});
   report_json(run);
 }
 

@@ -9,12 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "base/random.h"
 #include "base/triangle.h"
 #include "cases.h"
 #include "check/check_mesh.h"
 #include "check/place_faults.h"
 #include "fields.h"
 #include "mesh/component_kinds.h"
+#include "mesh/meshes.h"
 #include "more/mesh_isosurface.h"
 #include "run/criteria.h"
 #include "see.h"
@@ -91,6 +93,27 @@ bool same_bytes(const TriMesh& a, const TriMesh& b) {
 }
 
 }  // namespace
+
+// Beyond 1e77 products of four overflowed, and other points were found on the surface.
+TEST_CASE("samples times a power of two have the same mesh, as far as samples reach") {
+  for (std::uint64_t seed = 1; seed <= test::cases(std::uint64_t{20}); ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<double> samples(7 * 8 * 9);
+    for (double& v : samples) v = random.uniform(-1, 1);
+    const auto mesh_of = [&](int exponent) {
+      std::vector<double> scaled = samples;
+      for (double& v : scaled) v = std::ldexp(v, exponent);
+      const Volume volume = Volume::from_samples({7, 8, 9}, {1, 1, 1}, scaled);
+      CHECK(value_range(volume).max <= kLargestSample);
+      Options options;
+      options.cap = seed % 2 == 0;
+      return mesh_isosurface(volume, std::ldexp(0.125, exponent), options);
+    };
+    const int largest = std::ilogb(kLargestSample);
+    CHECK(test::same_mesh(mesh_of(largest), mesh_of(0)));
+  }
+}
 
 TEST_CASE("fields of known topology get meshes of it, well shaped and on the surface") {
   std::size_t inserted = 0;

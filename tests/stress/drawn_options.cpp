@@ -147,16 +147,18 @@ constexpr DrawnOption kDrawn[] = {
     // Not among those that are picked, so the other draws stay as they were.
     {"--space",
      [](Random& r, auto&) { return Words{text("--space=", r.below(2) > 0 ? "LPS" : "RAS")}; },
-     kPlace, another_mesh},
+     kBeside, another_mesh},
+    {"--quiet", [](Random&, auto&) { return Words{"--quiet"}; }, kBeside | kReport, another_mesh},
+    {"--json", [](Random&, auto&) { return Words{"--json=v.json"}; }, kBeside | kReport,
+     another_mesh},
 };
 
 // Options about files, formats and reports; --iso is always given.
 constexpr std::string_view kNotDrawn[] = {
-    "--iso",         "--output", "--format", "--ply-ascii", "--float",  "--double",
-    "--attributes",  "--json",   "--quiet",  "--verbose",   "--check",  "--restricted",
-    "--allow-empty", "--array",  "--series", "--channel",   "--time",   "--origin",
-    "--nan",         "--dims",   "--type",   "--spacing",   "--endian", "--skip",
-    "--help",        "--version"};
+    "--iso",        "--output",  "--format", "--ply-ascii",  "--float",       "--double",
+    "--attributes", "--verbose", "--check",  "--restricted", "--allow-empty", "--array",
+    "--series",     "--channel", "--time",   "--origin",     "--nan",         "--dims",
+    "--type",       "--spacing", "--endian", "--skip",       "--help",        "--version"};
 
 }  // namespace
 
@@ -200,13 +202,13 @@ Draw draw_options(std::uint64_t seed, const OptionVolume& volume, const DrawnOpt
     if (drawn.empty()) return draw;
   }
   const std::size_t wanted = 1 + random.below(4);
-  const auto is_place = [](const DrawnOption& option) { return (option.exempt & kPlace) != 0; };
-  const auto of_place = std::ranges::find_if(table, is_place);  // these are the last
-  const auto picked = static_cast<std::uint32_t>(of_place - table.begin());
+  const auto is_beside = [](const DrawnOption& option) { return (option.exempt & kBeside) != 0; };
+  const auto beside = std::ranges::find_if(table, is_beside);  // these are the last
+  const auto picked = static_cast<std::uint32_t>(beside - table.begin());
   while (drawn.size() < wanted) add(table[random.below(picked)]);
   for (const DrawnOption& option : table) {
     if ((option.exempt & kUsual) != 0 && random.below(4) > 0) add(option);
-    if (is_place(option) && random.below(2) > 0) add(option);
+    if (is_beside(option) && random.below(2) > 0) add(option);
   }
   draw.first = drawn.front();
   return draw;
@@ -222,7 +224,7 @@ Words command_words(const std::string& file, double isovalue, const Words& optio
     for (const std::string& word : options) {
       if (word != "--shared" && !word.starts_with("--label")) words.push_back(word);
     }
-    for (const char* word : {"--label=all", "--shared", "--ply-ascii", "--double", "-q"}) {
+    for (const char* word : {"--label=all", "--shared", "--ply-ascii", "--double"}) {
       words.emplace_back(word);
       if (words.back() == "--shared") words.push_back(file + ".ply");
     }
@@ -235,6 +237,18 @@ Words command_words(const std::string& file, double isovalue, const Words& optio
       std::ranges::any_of(options, [](const auto& word) { return word.starts_with("--part"); });
   if (is_part) words.emplace_back("--output=v.part");
   return words;
+}
+
+Words take_report_options(Words& words) {
+  Words taken;
+  const auto is_of_report = [&](const std::string& word) {
+    return std::ranges::any_of(kDrawn, [&](const DrawnOption& option) {
+      return (option.exempt & kReport) != 0 && has_word({word}, std::string(option.name));
+    });
+  };
+  std::ranges::copy_if(words, std::back_inserter(taken), is_of_report);
+  std::erase_if(words, is_of_report);
+  return taken;
 }
 
 std::string_view undrawn_option() {

@@ -59,7 +59,8 @@ enum Exemption : unsigned {
   kNotCertified = 1024,  // --certified excludes it
   kShared = 2048,
   kNotShared = 4096,  // --shared excludes it
-  kPlace = 8192,      // of the mesh in the world: drawn beside the others, for every second volume
+  kBeside = 8192,     // changes no mesh: drawn beside the others, for every second volume
+  kReport = 16384,    // of the reports: the join of parts has it, not the parts
 };
 
 struct DrawnOption {
@@ -89,6 +90,9 @@ Draw draw_options(std::uint64_t seed, const OptionVolume& volume,
 
 // Returns the mesh command for the volume's file, without the program's name.
 Words command_words(const std::string& file, double isovalue, const Words& options);
+
+// Removes the options of the reports from the words, and returns them.
+Words take_report_options(Words& words);
 
 // Returns the first option of the mesh command that is neither a row nor on the list of those that
 // do not change the mesh; empty if there is none.

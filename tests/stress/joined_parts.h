@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/mesh_run.h"
+#include "app/parsed_line.h"
 #include "app/parts.h"
 #include "app/progress.h"
 #include "base/text.h"
@@ -31,20 +33,48 @@ inline std::vector<std::string> make_parts(const CommandLine& line, bool by_boxe
   return bytes;
 }
 
-// Joins the parts, in any order, for the run of their command line. Throws InputError.
+// A join, as the command makes it; it writes no file.
+struct Joined {
+  CommandLine line;
+  Input input;
+  MeshRun run{line, input};
+  TriMesh mesh;
+
+  Joined(CommandLine joined_line, Input joined_input)
+      : line(std::move(joined_line)), input(std::move(joined_input)) {}
+  Joined(const Joined&) = delete;
+  Joined& operator=(const Joined&) = delete;
+};
+
+// Joins the parts, in any order, of the volume in a file. `report`: the options of the join. Throws
+// InputError.
 template <class Warn>
-TriMesh join_parts(const std::vector<std::string>& bytes, MeshRun& run, Progress& progress,
-                   const Warn& warn) {
+std::unique_ptr<Joined> join_parts(const std::vector<std::string>& bytes, const std::string& volume,
+                                   const std::vector<std::string>& report, const Warn& warn) {
   std::vector<PartFile> parts;
   for (const std::string& part : bytes) {
     parts.push_back(part_in(std::as_bytes(std::span(part)), text("part", parts.size())));
   }
   sort_parts(parts);
-  const std::string& input = run.line.input;
-  const CommandLine noted = line_of(parts.front(), input);
-  const FieldSource field = field_source(source_of(read_volume(input, noted.read)), noted, input);
-  require_field(parts, field, noted.options, input);
-  return join_parts_of(field, std::move(parts), run, progress, warn);
+  std::vector<std::string> words{"join", "v.part", "--volume=" + volume,
+                                 "-o",   "v.ply",  "--threads=1"};
+  words.insert(words.end(), report.begin(), report.end());
+  CommandLine join = test::parse_words(words);
+  join.output.clear();
+  const CommandLine line = line_of_join(join, parts.front());
+  const FieldSource field = field_source(source_of(read_volume(volume, line.read)), line, volume);
+  require_field(parts, field, line.options, volume);
+  auto joined = std::make_unique<Joined>(line, input_of_join(line, field));
+  ProgressBar none(mesh_stages(line), false);
+  joined->mesh = join_parts_of(std::move(parts), joined->run, none, warn);
+  return joined;
+}
+
+// Makes what the command writes of the run: the reports that its line asks for.
+template <class Run>
+void make_reports(const Run& run) {
+  if (!run.line.json.empty()) report_json(run);
+  if (!run.line.quiet) report_text(run);
 }
 
 }  // namespace deliso::stress

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A storm of options: random volumes (option_volume.h) are meshed with random options
 // (drawn_options.h), by way of the command line, and each mesh is held against one without the
-// first of these options.
+// first of these options, and without those of reports.
 //   stress_options [--first-seed N] [--count M] [--list]
 //   stress_options --write SEED FILE.nrrd      one of the volumes as a file, and its command lines
 // Seeds first-seed .. first-seed + count - 1 (1 .. 100) run in a child process. A crash, or more
@@ -34,6 +34,7 @@
 #include <ctime>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <map>
 #include <optional>
@@ -47,6 +48,7 @@
 #include "app/criteria_note.h"
 #include "app/input.h"
 #include "app/mesh_run.h"
+#include "app/parsed_line.h"
 #include "app/progress.h"
 #include "app/shared_labels.h"
 #include "base/check.h"
@@ -98,6 +100,7 @@ void mesh_shared(const CommandLine& line, Outcome& outcome) {
   ProgressBar none(mesh_stages(line), false);
   const std::clock_t start = std::clock();
   make_shared_mesh(run, none, [&](const std::string& w) { outcome.warnings.push_back(w); });
+  make_reports(run);
   outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   outcome.mesh = united_mesh(run);
   write_mesh(outcome.mesh, line.shared, united_options(run));
@@ -110,47 +113,75 @@ void mesh_shared(const CommandLine& line, Outcome& outcome) {
   outcome.triangles = run.mesh.inner_facets;
 }
 
-Outcome mesh_once(const Words& words) {
+// Fills in what the run of a mesh made, and what check finds in it.
+void judge_run(const MeshRun& run, Outcome& outcome) {
+  const CommandLine& line = run.line;
+  const Volume field = run.input.volume();
+  const CapReport& cap = run.report.cap;
+  outcome.fault = run.fault.empty() ? cap.failure : run.fault;
+  // As published, the mesh is a manifold where no vertex is left without a disk.
+  if (run.published.vertices_left > 0) outcome.fault.clear();
+  // Check cannot say so: it finds components by their place, and the mesh may be far from Sigma.
+  const bool certified = line.certified && run.published.uncertified_sites == 0;
+  if (certified && run.mesh != run.report.exact) outcome.fault = "certified, of another topology";
+  outcome.capped = line.options.cap;
+  outcome.vertices = outcome.capped ? cap.surface_vertices : outcome.mesh.points.size();
+  outcome.triangles = outcome.capped ? cap.surface_triangles : outcome.mesh.faces.size();
+  outcome.quality = run.quality;
+  outcome.voxel = field.voxel();
+  outcome.field = field;
+  outcome.kappa = run.report.kappa_effective;
+  outcome.says_off_surface =
+      outcome.capped && report_text(run).find("off the surface") != std::string::npos;
+  outcome.verification = verify_as_file(outcome.mesh, run);
+  const auto chosen = chosen_components(summarize_contour(field, run.report.kappa_effective),
+                                        line.options.components);
+  outcome.chosen_components =
+      static_cast<std::size_t>(std::ranges::count_if(chosen, [](auto c) { return c != 0; }));
+}
+
+// Judges the run of the command. With -q it has measured less than the judge needs.
+void judge_command(const MeshRun& run, const std::function<void(const std::string&)>& warn,
+                   Outcome& outcome) {
+  make_reports(run);
+  if (!run.line.quiet) return judge_run(run, outcome);
+  CommandLine line = run.line;
+  line.quiet = false;
+  MeshRun measured(line, run.input);
+  measured.report = run.report;
+  measured.published = run.published;
+  ProgressBar none(mesh_stages(line), false);
+  examine_mesh(measured, outcome.mesh, none, warn);
+  judge_run(measured, outcome);
+}
+
+Outcome mesh_once(Words words) {
   Outcome outcome;
-  const std::vector<std::string_view> arguments(words.begin(), words.end());
+  const std::clock_t start = std::clock();
+  const auto warn = [&](const std::string& w) { outcome.warnings.push_back(w); };
+  const auto take_seconds = [&] {
+    outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  };
   try {
-    const CommandLine line = parse_command_line(arguments);
+    const bool in_parts =
+        std::ranges::any_of(words, [](const auto& word) { return word.starts_with("--part"); });
+    const Words of_join = in_parts ? take_report_options(words) : Words();
+    const CommandLine line = test::parse_words(words);
     if (!line.shared.empty()) {
       mesh_shared(line, outcome);
-      return outcome;
-    }
-    const Input input = read_input(line);
-    MeshRun run(line, input);
-    ProgressBar none(mesh_stages(line), false);
-    const std::clock_t start = std::clock();
-    const auto warn = [&](const std::string& w) { outcome.warnings.push_back(w); };
-    if (line.part) {
-      outcome.mesh = join_parts(make_parts(line), run, none, warn);
+    } else if (in_parts) {
+      const auto joined = join_parts(make_parts(line), line.input, of_join, warn);
+      take_seconds();
+      outcome.mesh = joined->mesh;
+      judge_command(joined->run, warn, outcome);
     } else {
+      const Input input = read_input(line);
+      MeshRun run(line, input);
+      ProgressBar none(mesh_stages(line), false);
       outcome.mesh = mesh_input(run, none, warn);
+      take_seconds();
+      judge_command(run, warn, outcome);
     }
-    outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    const CapReport& cap = run.report.cap;
-    outcome.fault = run.fault.empty() ? cap.failure : run.fault;
-    // As published, the mesh is a manifold where no vertex is left without a disk.
-    if (run.published.vertices_left > 0) outcome.fault.clear();
-    // Check cannot say so: it finds components by their place, and the mesh may be far from Sigma.
-    const bool certified = line.certified && run.published.uncertified_sites == 0;
-    if (certified && run.mesh != run.report.exact) outcome.fault = "certified, of another topology";
-    outcome.capped = line.options.cap;
-    outcome.vertices = outcome.capped ? cap.surface_vertices : outcome.mesh.points.size();
-    outcome.triangles = outcome.capped ? cap.surface_triangles : outcome.mesh.faces.size();
-    outcome.quality = run.quality;
-    outcome.voxel = input.volume().voxel();
-    outcome.field = input.volume();
-    outcome.kappa = run.report.kappa_effective;
-    outcome.says_off_surface =
-        outcome.capped && report_text(run).find("off the surface") != std::string::npos;
-    outcome.verification = verify_as_file(outcome.mesh, run);
-    const auto chosen = chosen_components(
-        summarize_contour(input.volume(), run.report.kappa_effective), line.options.components);
-    outcome.chosen_components =
-        static_cast<std::size_t>(std::ranges::count_if(chosen, [](auto c) { return c != 0; }));
   } catch (const InputError& error) {
     outcome.refusal = error.what();
   }
@@ -236,7 +267,9 @@ Verdict run_seed(std::uint64_t seed, const std::string& file) {
   std::string words = with.refusal;
   verdict.refused = !with.refusal.empty();
   if (!verdict.refused) {
-    const Outcome without = mesh_once(command_words(file, isovalue, draw.other_words));
+    Words others_alone = draw.other_words;
+    take_report_options(others_alone);
+    const Outcome without = mesh_once(command_words(file, isovalue, others_alone));
     Findings found = judge_alone(with, draw.exempt), others;
     if (without.refusal.empty()) {
       others = judge_alone(without, draw.exempt);

@@ -4,11 +4,12 @@
 //   stress_parts [--first-seed N] [--count M] [--list]
 // Each option of the table is the first one of every N-th seed, N the number of rows. A seed says
 // everything: the volume, the options, how many parts there are (1, 4, 7 or 64), and whether the
-// samples are in memory or read box by box. It runs in a child process, and a crash costs that one
-// seed. Exit status 1 when a join has another mesh than one process, or a refusal that one process
-// has not; when an option that excludes --part is not refused; or when the join of some option was
-// never tested, after eight more seeds of those that gave no mesh. A seam between parts may be
-// refused; that is counted.
+// samples are in memory or read box by box. The join alone has the options of reports. It runs in a
+// child process, and a crash costs that one seed. Exit status 1 when a join has another mesh than
+// one process, or a refusal that one process has not, or counts other close places; when an option
+// that excludes --part is not refused; or when the join of some option was never tested, after
+// eight more seeds of those that gave no mesh. A seam between parts may be refused; that is
+// counted.
 #include <unistd.h>
 
 #include <array>
@@ -86,20 +87,50 @@ struct Made {
   std::string refusal;
   TriMesh mesh;
   Report report;
+  bool is_measured = false;  // for a report, which has the counts below
+  TopologyCounts counts;
+  ClosePlaces close;
   std::optional<Volume> field;
+
+  void take(const MeshRun& run, const TriMesh& of_run) {
+    make_reports(run);
+    mesh = of_run;
+    report = run.report;
+    is_measured = !run.line.quiet || !run.line.json.empty();
+    counts = run.mesh;
+    close = run.close;
+    field = run.input.volume();
+  }
 };
 
-// Calls make(run, progress, warn), which returns the mesh of the line.
-template <class Make>
-Made made_by(const CommandLine& line, const Make& make) {
+void no_warning(const std::string&) {}
+
+Made made_by_one(const Words& words) {
   Made made;
   try {
+    const CommandLine line = test::parse_words(words);
     const Input input = read_input(line);
     MeshRun run(line, input);
     ProgressBar none(mesh_stages(line), false);
-    made.mesh = make(run, none, [](const std::string&) {});
-    made.report = run.report;
-    made.field = input.volume();
+    const TriMesh mesh = mesh_input(run, none, no_warning);
+    made.take(run, mesh);
+  } catch (const InputError& error) {
+    made.refusal = error.what();
+  }
+  return made;
+}
+
+// Makes the parts, some by boxes, and joins them in a random order.
+Made made_by_join(const CommandLine& of_part, const Words& of_join, std::uint64_t seed) {
+  Made made;
+  try {
+    std::vector<std::string> bytes = make_parts(of_part, seed % 2 == 0);
+    Random random(seed);
+    for (std::size_t n = bytes.size(); n > 1; --n) {
+      std::swap(bytes[n - 1], bytes[random.below(static_cast<std::uint32_t>(n))]);
+    }
+    const auto joined = join_parts(bytes, of_part.input, of_join, no_warning);
+    made.take(joined->run, joined->mesh);
   } catch (const InputError& error) {
     made.refusal = error.what();
   }
@@ -123,6 +154,10 @@ std::string difference(const Made& joined, const Made& whole) {
   if (joined.report.exact != whole.report.exact) return "another exact topology";
   if (joined.report.counters != whole.report.counters) return "other counts";
   if (joined.report.cap.failure != whole.report.cap.failure) return "another fault of the caps";
+  if (!joined.is_measured) return {};
+  if (joined.counts != whole.counts) return "another topology in the report";
+  const ClosePlaces &a = joined.close, &b = whole.close;
+  if (a.needles != b.needles || a.folds != b.folds || a.near != b.near) return "other close places";
   return {};
 }
 
@@ -136,12 +171,13 @@ Verdict run_seed(std::uint64_t seed, const std::string& file) {
     what.copy(verdict.what, sizeof verdict.what - 1);
     return verdict;
   };
-  CommandLine line, of_part;
+  CommandLine of_part;
+  Words words = drawn.words;
+  const Words of_join = take_report_options(words);
   try {
-    line = test::parse_words(drawn.words);
-    Words words = drawn.words;
-    words.insert(words.end(), {text("--part=1/", of), "--output=v.part"});
-    of_part = test::parse_words(words);
+    Words more = words;
+    more.insert(more.end(), {text("--part=1/", of), "--output=v.part"});
+    of_part = test::parse_words(more);
   } catch (const InputError& error) {
     const bool is_excluded = (first_option(seed).exempt & kNoParts) != 0;
     return end(is_excluded ? Verdict::excluded : Verdict::fault, error.what());
@@ -149,15 +185,8 @@ Verdict run_seed(std::uint64_t seed, const std::string& file) {
   if ((first_option(seed).exempt & kNoParts) != 0) {
     return end(Verdict::fault, "the option is not refused with --part");
   }
-  const Made whole = made_by(line, mesh_input);
-  const Made joined = made_by(of_part, [&](auto& run, auto& progress, const auto& warn) {
-    std::vector<std::string> bytes = make_parts(of_part, seed % 2 == 0);
-    Random random(seed);
-    for (std::size_t n = bytes.size(); n > 1; --n) {
-      std::swap(bytes[n - 1], bytes[random.below(static_cast<std::uint32_t>(n))]);
-    }
-    return join_parts(bytes, run, progress, warn);
-  });
+  const Made whole = made_by_one(words);
+  const Made joined = made_by_join(of_part, of_join, seed);
   if (joined.refusal.find("too fine for the seam") != std::string::npos) {
     return end(Verdict::refused_seam, joined.refusal);
   }

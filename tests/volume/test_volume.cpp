@@ -11,8 +11,11 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/check.h"
 #include "base/random.h"
+#include "base/text.h"
 #include "volume/sampled.h"
+#include "volume/volume_source.h"
 
 using namespace deliso;
 
@@ -228,6 +231,59 @@ TEST_CASE("value_range names the first NaN or infinite sample") {
   CHECK_THROWS_WITH_AS(value_range(block, "v.nrrd"),
                        "v.nrrd: NaN sample at (10, 21, 31): --nan VALUE gives such samples a value",
                        InputError);
+}
+
+// From 5e307 on the caps ended with an internal error, and from 1e154 on they were not sound.
+TEST_CASE("value_range refuses samples of which products overflow") {
+  const auto at = [](double large) {
+    std::vector<double> samples(1000, -1);
+    samples[345] = large;
+    return Volume::from_samples({10, 10, 10}, {1, 1, 1}, samples);
+  };
+  CHECK(value_range(at(1e75)).max == 1e75);
+  CHECK(value_range(at(-1e75)).min == -1e75);
+  for (const double large : {1.001e75, -1.001e75, 1e300, -5e307}) {
+    CHECK_THROWS_WITH_AS(
+        value_range(at(large), "v.npy"),
+        text("v.npy: the sample at (5, 4, 3) is ", large,
+             ", out of range (-1e+75 to 1e+75): scale all samples, or replace a fill value")
+            .c_str(),
+        InputError);
+  }
+  constexpr float kLargestFloat = std::numeric_limits<float>::max();
+  const std::vector<float> floats(8, kLargestFloat);
+  CHECK(value_range(Volume::from_samples({2, 2, 2}, {1, 1, 1}, floats)).max == kLargestFloat);
+}
+
+// A join died since it asked the gradient of a field of which it had no samples.
+template <class T>
+constexpr bool kHasGradient = requires(const T& t, const Vec3& p) {
+  t.gradient(p);
+};
+template <class T>
+constexpr bool kHasSamples = requires(const T& t) {
+  t.sample(0, 0, 0);
+};
+static_assert(kHasGradient<Volume> && kHasSamples<Volume>);
+static_assert(!kHasGradient<Grid> && !kHasSamples<Grid>);
+static_assert(std::is_same_v<decltype(VolumeSource::shape), Grid>);
+
+TEST_CASE("a volume has samples, and a source reads what it needs for a gradient") {
+  CHECK_THROWS_AS(Volume({2, 2, 2}, {1, 1, 1}, SampleType::u8, nullptr, nullptr), InternalError);
+  Random random(7);
+  const Volume whole =
+      Volume::from_samples({5, 6, 7}, {0.7, 1, 1.3}, random_samples<float>(random, 210));
+  VolumeSource source = source_of(whole);
+  source.in_memory.reset();
+  source.read = [&](const SampleBox& box) {
+    CHECK(box.dims() == Index3{2, 2, 2});
+    return samples_of(whole, box);
+  };
+  for (int n = 0; n < 1000; ++n) {
+    const Vec3 p = random_point(whole, random);
+    CHECK(gradient_at(source, p) == whole.gradient(p));
+  }
+  CHECK(gradient_at(source, whole.box().hi) == whole.gradient(whole.box().hi));
 }
 
 TEST_CASE("a frame maps to the world along its axes, and knows when they are left-handed") {
