@@ -61,8 +61,8 @@ struct FacetTest {
   // facets that are not restricted Delaunay, with this .7 %; with 1.2 it has 5 % more vertices.
   static constexpr double kBall = 0.9;
 
-  // A bound up to so many voxels is asked beyond the ball, too: a sheet so near may pass a small
-  // facet by. With 0 TOOTH has up to 3 % fewer vertices, and 6 samples too far at D = .5.
+  // Bounds up to this are asked as they are, beyond the ball of a small facet too. With 0 TOOTH has
+  // up to 3 % fewer vertices, but 6 samples too far from the mesh at D = .5 voxel.
   static constexpr double kLeastReachVoxels = 0.5;
 
   bool has_surface_near(const Facet& f, double r2) const {
