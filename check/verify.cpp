@@ -230,7 +230,8 @@ double sharper_distance(const Vec3& p, double d, const ExactSurface& exact) {
 
 // Reports triangles whose corners are on Sigma, but a point of them is further from it than a
 // voxel, and than the limits on h and h/r allow: without such limits a mesh may be as coarse as it
-// likes. `off`: bounds on their distances.
+// likes. The limit on h is one for circumcenters. Other points may be further, up to the bound for
+// points of Sigma. `off`: bounds on their distances.
 void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<TriangleDistances>& off,
                                 const std::vector<std::uint8_t>& on_surface,
                                 const ExactSurface& exact, Verification& result) {
@@ -250,10 +251,12 @@ void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<Triangl
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
     FacetShape shape = measure(a, b, c, a);
     shape.h = std::min(h, search_limit(volume));  // if nothing is found, that at least
-    const auto passes = [&](Criterion k) {
-      return share_of_limit(static_cast<std::size_t>(k), shape, result.limits) > 1;
+    const auto share = [&](Criterion k) {
+      return share_of_limit(static_cast<std::size_t>(k), shape, result.limits);
     };
-    if (!passes(Criterion::distance) && !passes(Criterion::h_over_r)) continue;
+    if (share(Criterion::distance) <= kFromSurfaceFactor && share(Criterion::h_over_r) <= 1) {
+      continue;
+    }
     result.faults.add(
         FaultKind::triangles_off_surface,
         [&] {

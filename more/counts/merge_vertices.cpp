@@ -69,6 +69,9 @@ MergeShape shape_after_merge(const Refinement& r, std::span<const FaceId> star, 
 // A pass performs the cheapest of the merges that it picks: all, divided by this. With 1, mean
 // distances are up to 1 % larger; with 10, up to 1 % less, in more passes.
 constexpr std::size_t kShare = 3;
+// It picks no fewer than all divided by this, and stops at the number: of the last ones that are
+// picked few may be possible.
+constexpr std::size_t kLeastShare = 32;
 
 class Merging {
  public:
@@ -177,12 +180,14 @@ class Merging {
 
   // Leaves the cheapest merges, in order. pre: there are some.
   void sort(std::size_t beyond) {
-    const std::size_t some = std::min(beyond, 1 + merges_.size() / kShare);
+    const std::size_t some =
+        std::clamp(beyond, 1 + merges_.size() / kLeastShare, 1 + merges_.size() / kShare);
     const auto end = merges_.begin() + static_cast<std::ptrdiff_t>(some);
     std::nth_element(merges_.begin(), end, merges_.end());
     merges_.erase(end, merges_.end());
     std::ranges::sort(merges_);
     ++pass_;
+    mean_area_ = area_ / static_cast<double>(triangles_);
   }
 
   // Merges v, unless something near it changed in this pass.
@@ -226,7 +231,7 @@ class Merging {
 
   // Raises the cost by what is known of the distance now. True if it was less.
   bool raises_cost(Pick& p, const MergeShape& after) const {
-    const double cost = after.distance2 * area_ / static_cast<double>(triangles_);
+    const double cost = after.distance2 * mean_area_;
     return cost > std::exchange(p.cost, std::max(p.cost, cost));
   }
 
@@ -264,6 +269,9 @@ class Merging {
   Orientation orientation_;
   Ask ask_ = Ask::shape;
   double area_ = 0;
+  // Of a facet when the pass began: taken anew for each merge, it raised the costs of all others,
+  // and where these were equal no pass had a second merge.
+  double mean_area_ = 0;
   std::size_t vertices_ = 0, triangles_ = 0;  // that are left
   std::uint32_t pass_ = 0;
   IdArray<VertexId, Quadric> quadrics_;

@@ -2,6 +2,7 @@
 #include "coarsen/facet_cells.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -14,6 +15,11 @@ constexpr float kCellSides = 1.5f;
 // They are larger where facets would be listed in more cells in the mean: few large facets among
 // many small ones.
 constexpr std::uint32_t kMostCells = 16;
+// And at least of this side, in that of one of as many squares as there are facets that cover three
+// sides of the box of all. So where facets are tiny and far apart, a line along a side of the box
+// meets some multiple of the square root of their number, and not a million cells. A surface that
+// is large for its box has larger cells anyway.
+constexpr float kLeastCell = 0.25f;
 
 }  // namespace
 
@@ -44,7 +50,9 @@ FacetCells::FacetCells(const TriMesh& mesh) {
   const Four size = all_.hi - all_.lo;
   const float least = std::max({size[0], size[1], size[2]}) * 0x1p-20f;
   const auto facets = static_cast<float>(facets_.size());
-  per_cell_ = 1 / std::max({kCellSides * sides / facets, least, std::numeric_limits<float>::min()});
+  const float square = (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]) / facets;
+  per_cell_ = 1 / std::max({kCellSides * sides / facets, kLeastCell * std::sqrt(square), least,
+                            std::numeric_limits<float>::min()});
   const auto cells = [&] {
     std::uint64_t sum = 0;
     for (const Box& box : boxes_) sum += cells_of(box);

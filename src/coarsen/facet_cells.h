@@ -38,19 +38,15 @@ class FacetCells {
   template <class Visit>
   void for_each_at(const Vec3& p, const Vec3& q, Visit&& visit) const {
     const Box box = common(box_of(p, q, q), all_);
-    // Where cells are tiny a line meets more of them than there are facets.
-    if (cells_of(box) > facets_.size()) {
-      for (std::size_t n = 0; n < facets_.size(); ++n) {
-        if (meet(box, boxes_[n])) visit(facets_[n]);
-      }
-      return;
-    }
     for_each_list(box, [&](std::size_t list) {
       for (std::uint32_t n = first_[list]; n < first_[list + 1]; ++n) {
         if (meet(box, boxes_[listed_[n]])) visit(facets_[listed_[n]]);
       }
     });
   }
+
+  // Returns the side of a cell.
+  double cell() const { return 1 / static_cast<double>(per_cell_); }
 
  private:
   using Four [[gnu::vector_size(4 * sizeof(float))]] = float;

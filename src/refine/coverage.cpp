@@ -2,6 +2,7 @@
 #include "refine/coverage.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -13,31 +14,35 @@
 namespace deliso {
 namespace {
 
-// Samples, listed by cells. The table of cells is periodic in space.
+// Samples, listed by cells. The cells are wrapped into one table.
 class SampleCells {
  public:
   SampleCells(std::span<const Vec3> samples, std::span<const std::uint32_t> numbers, double cell)
-      : samples_(samples), per_cell_(1 / cell), next_(samples.size(), kEnd) {
-    for (const std::uint32_t n : numbers) next_[n] = std::exchange(list_at(cell_at(samples[n])), n);
+      : samples_(samples),
+        per_cell_(1 / cell),
+        first_(std::bit_ceil(numbers.size() / kPerList + 1), kEnd),
+        next_(samples.size(), kEnd) {
+    for (const std::uint32_t n : numbers) {
+      const Index3 at = cell_at(samples[n]);
+      next_[n] = std::exchange(first_[list_of(row_of(at), at.i)], n);
+    }
   }
 
   // Removes samples for which pred(point) holds: all of them in the box, perhaps some elsewhere.
   template <class Predicate>
   void remove_if(const Box3& box, Predicate&& pred) {
-    const Index3 lo = cell_at(box.lo);
-    Index3 hi = cell_at(box.hi), at;
-    for (int axis = 0; axis < 3; ++axis) hi[axis] = std::min(hi[axis], lo[axis] + kCells - 1);
+    const Index3 lo = cell_at(box.lo), hi = cell_at(box.hi);
+    const double cells = (hi.i - lo.i + 1.0) * (hi.j - lo.j + 1.0) * (hi.k - lo.k + 1.0);
+    if (cells > static_cast<double>(first_.size())) {
+      for (std::uint32_t& list : first_) remove_if(list, pred);
+      return;
+    }
+    Index3 at;
     for (at.k = lo.k; at.k <= hi.k; ++at.k) {
       for (at.j = lo.j; at.j <= hi.j; ++at.j) {
+        const std::size_t row = row_of(at);
         for (at.i = lo.i; at.i <= hi.i; ++at.i) {
-          for (std::uint32_t* n = &list_at(at); *n != kEnd;) {
-            std::uint32_t& next = next_[*n];
-            if (pred(samples_[*n])) {
-              *n = std::exchange(next, kRemoved);
-            } else {
-              n = &next;
-            }
-          }
+          remove_if(first_[list_of(row, at.i)], pred);
         }
       }
     }
@@ -45,24 +50,37 @@ class SampleCells {
   bool was_removed(std::uint32_t n) const { return next_[n] == kRemoved; }
 
  private:
-  static constexpr int kCells = 16;  // of the table, along each axis
+  // Samples for which there is a list.
+  static constexpr std::size_t kPerList = 8;
   static constexpr std::uint32_t kEnd = 0xffffffff, kRemoved = kEnd - 1;
 
   Index3 cell_at(const Vec3& p) const {
     return {static_cast<int>(per_cell_ * p.x), static_cast<int>(per_cell_ * p.y),
             static_cast<int>(per_cell_ * p.z)};
   }
-  std::uint32_t& list_at(Index3 cell) {
-    constexpr int kMask = kCells - 1;
-    return first_[static_cast<std::size_t>(((cell.k & kMask) * kCells + (cell.j & kMask)) * kCells +
-                                           (cell.i & kMask))];
+  static std::size_t row_of(Index3 at) {
+    return static_cast<std::uint32_t>(at.j) * 0x9e3779b1u +
+           static_cast<std::uint32_t>(at.k) * 0x85ebca77u;
+  }
+  std::size_t list_of(std::size_t row, int i) const {
+    return (row + static_cast<std::size_t>(i)) & (first_.size() - 1);
+  }
+  template <class Predicate>
+  void remove_if(std::uint32_t& list, Predicate&& pred) {
+    for (std::uint32_t* n = &list; *n != kEnd;) {
+      std::uint32_t& next = next_[*n];
+      if (pred(samples_[*n])) {
+        *n = std::exchange(next, kRemoved);
+      } else {
+        n = &next;
+      }
+    }
   }
 
   std::span<const Vec3> samples_;
   double per_cell_;
-  std::vector<std::uint32_t> first_ =
-      std::vector<std::uint32_t>(std::size_t{kCells} * kCells * kCells, kEnd);
-  std::vector<std::uint32_t> next_;  // in its list, of each sample
+  std::vector<std::uint32_t> first_;  // per list
+  std::vector<std::uint32_t> next_;   // in its list, of each sample
 };
 
 // Removes the samples over a facet within `limit` of its plane from `numbers`: nearly all, for a

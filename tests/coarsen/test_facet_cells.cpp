@@ -6,7 +6,6 @@
 #include <cmath>
 #include <set>
 #include <utility>
-#include <vector>
 
 #include "base/box3.h"
 #include "base/random.h"
@@ -57,7 +56,7 @@ TEST_CASE("no two facets with a common place, and none on a line, are missed by 
   }
 }
 
-TEST_CASE("a line that meets more cells than there are facets finds those on it") {
+TEST_CASE("a line finds tiny facets that are far apart") {
   // Tiny facets in a row.
   TriMesh mesh;
   constexpr std::uint32_t kFacets = 5;
@@ -68,9 +67,23 @@ TEST_CASE("a line that meets more cells than there are facets finds those on it"
     }
     mesh.faces.push_back({triangle_of(3 * n, 3 * n + 1, 3 * n + 2), {kNoId, kNoId, kNoId}});
   }
-  std::vector<FaceId> met;
-  FacetCells(mesh).for_each_at({1, 0, 0}, {3.5, 0, 0}, [&](FaceId f) { met.push_back(f); });
-  CHECK(met == std::vector<FaceId>{FaceId(1), FaceId(2), FaceId(3)});
+  std::set<FaceId> met;
+  FacetCells(mesh).for_each_at({1, 0, 0}, {3.5, 0, 0}, [&](FaceId f) { met.insert(f); });
+  CHECK(met == std::set<FaceId>{FaceId(1), FaceId(2), FaceId(3)});
+}
+
+TEST_CASE("a line meets few cells, however tiny and far apart facets are") {
+  TriMesh mesh;
+  constexpr std::uint32_t kSide = 10, kFacets = kSide * kSide * kSide;
+  for (std::uint32_t n = 0; n < kFacets; ++n) {
+    const Vec3 at{static_cast<double>(n % kSide), static_cast<double>(n / kSide % kSide),
+                  static_cast<double>(n / (kSide * kSide))};
+    for (const Vec3& side : {Vec3{0, -1, -1}, Vec3{0, 1, 0}, Vec3{1, 0, 1}}) {
+      mesh.points.push_back(at + 1e-6 * side);
+    }
+    mesh.faces.push_back({triangle_of(3 * n, 3 * n + 1, 3 * n + 2), {kNoId, kNoId, kNoId}});
+  }
+  CHECK((kSide - 1) / FacetCells(mesh).cell() < 8 * std::sqrt(kFacets));
 }
 
 TEST_CASE("facets all at one place have cells") {
