@@ -11,6 +11,7 @@
 #include "contour/contour.h"
 #include "contour/fine_contour.h"
 #include "contour/plain_seams.h"
+#include "contour/split_voxels.h"
 #include "refine/refine.h"
 #include "run/observer.h"
 
@@ -44,11 +45,11 @@ IdArray<VertexId, std::uint8_t> with_neighbors(const IdArray<VertexId, std::uint
 }
 
 // Makes T embedded, and its seams plain.
-void make_embedded(ContourMesh& contour, const Volume& volume, const BlockRun& run,
+void make_embedded(ContourMesh& contour, const Volume& volume, Index3 cells, const BlockRun& run,
                    Report& report) {
   begin_stage(run.parameters.observer, "cutting");
   const StepTimer timer(report.seconds_contour);
-  contour = fine_contour(std::move(contour), volume, run.kappa);
+  contour = fine_contour(std::move(contour), volume, run.kappa, cells);
   make_seams_plain(contour, volume);
   report[Counter::voxels_cut] = contour.split_voxels;
   report[Counter::voxels_crossed] = contour.crossed_voxels.size();
@@ -62,11 +63,12 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
   Report& report = block.report;
   const Volume volume = run.source.read(box);
   begin_stage(run.parameters.observer, "contour");
-  ContourMesh contour =
-      timed(report.seconds_contour, [&] { return build_contour(volume, run.kappa); });
+  const Index3 cells = cells_of_long_voxels(volume.spacing());
+  ContourMesh contour = timed(report.seconds_contour,
+                              [&] { return build_contour(volume, run.kappa, {.usual = cells}); });
   if (contour.points.empty()) return block;
   block.components.push_back(components_of(contour, volume));
-  make_embedded(contour, volume, run, report);
+  make_embedded(contour, volume, cells, run, report);
   if (!kept.empty()) keep_components(contour, kept);
   if (contour.points.empty()) return block;
 

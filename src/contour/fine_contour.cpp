@@ -27,6 +27,10 @@ constexpr double kMaxGrowth = 4, kExtraVertices = 5e5;
 // over the volume.
 constexpr std::array kCellsPerSide{2, 5, 11, 15, 31};
 
+// The length of a cell of a long voxel, in its shortest sides. Eight volumes of noise of 1:1:10,
+// over a limit: 1.6 % of the facets; with 4, 2.6 %; with 1.5, 1.3 % and 8 % more vertices.
+constexpr double kLongCellSides = 2;
+
 // Returns how many cells to cut a voxel into: of about the side `cell`, or larger, up to
 // `coarsest`, if those are too many.
 Index3 cells_of(Vec3 spacing, double cell, double coarsest, std::size_t voxels,
@@ -87,12 +91,23 @@ bool perturb_coincident(ContourMesh& contour, double perturbation) {
 
 }  // namespace
 
-ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa) {
+Index3 cells_of_long_voxels(const Vec3& spacing) {
+  const double side = kLongCellSides * std::min({spacing.x, spacing.y, spacing.z});
+  Index3 cells;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double number = std::round(spacing[axis] / side);
+    cells[axis] = static_cast<int>(std::clamp<double>(number, 1, kMaxCellsAlongAxis));
+  }
+  return cells;
+}
+
+ContourMesh fine_contour(ContourMesh&& begun, const Volume& volume, double kappa, Index3 cells) {
   const Vec3 spacing = volume.spacing();
   const double shortest = std::min({spacing.x, spacing.y, spacing.z});
-  const std::size_t vertices = plain.points.size();
+  const std::size_t vertices = begun.points.size();
   ContourSplit split;
-  ContourMesh contour = std::move(plain);
+  split.usual = cells;
+  ContourMesh contour = std::move(begun);
   for (std::size_t trial = 0; trial < kCellsPerSide.size();) {
     // After the first pass only split voxels and their neighbors have new triangles.
     const std::vector<std::uint64_t> changed = with_neighbors(split.voxels, volume.dims());

@@ -29,8 +29,9 @@ class SplitMesher final : public ContourSink {
   SplitMesher(ContourMesh& mesh, const Volume& volume, double kappa, const ContourSplit& split)
       : mesh_(mesh),
         mesher_(mesh, volume, kappa),
-        listed_(split.voxels),
-        cells_(split.factor),
+        split_(split),
+        cells_{Cells(split.usual), Cells(split.factor)},
+        seams_(seams_across(split.usual, volume)),
         dims_(volume.dims()),
         voxels_(volume.voxels()),
         inner_faces_(volume.inner_faces()) {
@@ -47,30 +48,35 @@ class SplitMesher final : public ContourSink {
   }
 
   void voxel(const VoxelPieces& p) override {
-    const bool is_split = is_listed(p.voxel);
+    const Cut own = cut_of(p.voxel);
     const std::size_t crossings = p.loops.first[p.loops.count];
-    SplitFaces at{};
+    CutFaces at{};
     for (std::size_t n = 0; n < crossings; ++n) {
       const int f = p.loops.face[n];
-      at[f] = is_split || is_listed(voxel_across(p.voxel, f));
+      at[f] = std::max(own, cut_of(voxel_across(p.voxel, f)));
     }
-    if (at == SplitFaces{}) return mesher_.voxel(p);
-    cells_.fine.load(p.corners);
-    for (std::size_t n = 0; n < crossings; ++n) {
-      cells_.vertex[cells_.fine.crossed_part(p.loops.edge[n])] = p.vertex[n];
+    if (at == CutFaces{}) return mesher_.voxel(p);
+    for (const Cut cut : {Cut::usual, Cut::listed}) {
+      if (std::ranges::find(at, cut) == at.end()) continue;
+      Cells& c = cells(cut);
+      c.fine.load(p.corners);
+      for (std::size_t n = 0; n < crossings; ++n) {
+        c.vertex[c.fine.crossed_part(p.loops.edge[n])] = p.vertex[n];
+      }
     }
-    if (is_split && !cells_.fine.agrees_with(p.loops, p.tube)) {
+    if (own != Cut::whole && !cells(own).fine.agrees_with(p.loops, p.tube)) {
       disagreeing.push_back(voxel_number(dims_, p.voxel));
     }
     if (!disagreeing.empty()) return;
     // Face by face: the low face along x takes the id that the high face leaves for the next voxel.
     for (int f = 0; f < 6; ++f) {
-      if (at[f]) number_face(p.voxel, f);
+      if (at[f] != Cut::whole) number_face(p.voxel, f, cells(at[f]));
     }
     mesher_.begin_voxel();
     bool crowded = true;
-    if (is_split) {
-      crowded = mesh_cells(p) || (outer_faces(p.voxel, voxels_) & inner_faces_) != 0;
+    if (own != Cut::whole) {
+      mesh_.split_voxels += own == Cut::listed;
+      crowded = mesh_cells(p, cells(own)) || (outer_faces(p.voxel, voxels_) & inner_faces_) != 0;
     } else {
       mesh_beside(p, at);
     }
@@ -96,8 +102,10 @@ class SplitMesher final : public ContourSink {
     std::vector<ContourId> vertex;     // by slot
     std::vector<std::uint32_t> label;  // by piece
   };
-  // For the faces of a voxel that Sigma crosses, whether a voxel at the face is split.
-  using SplitFaces = std::array<bool, 6>;
+  // How a voxel is cut. Between two voxels the face has the lattice of the one with more cells.
+  enum class Cut : std::uint8_t { whole, usual, listed };
+  using CutFaces = std::array<Cut, 6>;  // of a voxel, as far as Sigma crosses them
+  Cells& cells(Cut cut) { return cells_[cut == Cut::listed]; }
 
   bool is_in_volume(Index3 voxel) const {
     for (int axis = 0; axis < 3; ++axis) {
@@ -105,8 +113,29 @@ class SplitMesher final : public ContourSink {
     }
     return true;
   }
-  bool is_listed(Index3 voxel) const {
-    return is_in_volume(voxel) && std::ranges::binary_search(listed_, voxel_number(dims_, voxel));
+  // Returns the inner faces of a block that the usual cells would cut.
+  static unsigned seams_across(Index3 cells, const Volume& block) {
+    unsigned faces = 0;
+    for (BoxFace face = 0; face < 6; ++face) {
+      const int axis = axis_of(face);
+      const bool is_cut = cells[(axis + 1) % 3] > 1 || cells[(axis + 2) % 3] > 1;
+      faces |= is_cut ? block.inner_faces() & 1u << face : 0;
+    }
+    return faces;
+  }
+  bool is_in(const VoxelNumbers& list, Index3 voxel) const {
+    return is_in_volume(voxel) && std::ranges::binary_search(list, voxel_number(dims_, voxel));
+  }
+  Cut cut_of(Index3 voxel) const {
+    if (is_in(split_.voxels, voxel)) return Cut::listed;
+    if (split_.usual == Index3{1, 1, 1} || !is_in_volume(voxel) || is_in(split_.whole, voxel) ||
+        (outer_faces(voxel, voxels_) & seams_) != 0) {
+      return Cut::whole;
+    }
+    for (int f = 0; f < 6 && !split_.voxels.empty(); ++f) {
+      if (is_in(split_.voxels, voxel_across(voxel, f))) return Cut::whole;
+    }
+    return Cut::usual;
   }
 
   // Returns the first id on the face between `low_voxel` and the next one along the axis.
@@ -116,55 +145,53 @@ class SplitMesher final : public ContourSink {
     return axis == 1 ? first_across_y_[i] : first_across_z_[i + first_across_y_.size() * j];
   }
 
-  void number_face(Index3 voxel, int f) {
+  void number_face(Index3 voxel, int f, Cells& cells) {
     const int axis = f >> 1;
     const bool high = (f & 1) != 0, on_box = (outer_faces(voxel, voxels_) >> f & 1) != 0;
-    const auto slots = cells_.fine.crossed_on_face(f);
+    const auto slots = cells.fine.crossed_on_face(f);
     if (!high && !on_box) {
       ContourId id = first_on_face(axis, voxel);
-      for (const auto slot : slots) cells_.vertex[slot] = id++;
+      for (const auto slot : slots) cells.vertex[slot] = id++;
       return;
     }
     for (const auto slot : slots)
-      cells_.vertex[slot] = add_crossing(voxel, slot, on_box ? 1 << f : 0);
-    if (!on_box) first_on_face(axis, voxel) = slots.empty() ? kNoId : cells_.vertex[slots[0]];
+      cells.vertex[slot] = add_crossing(voxel, cells, slot, on_box ? 1 << f : 0);
+    if (!on_box) first_on_face(axis, voxel) = slots.empty() ? kNoId : cells.vertex[slots[0]];
   }
 
-  ContourId add_crossing(Index3 voxel, FineVoxel::Slot slot, int box_faces) {
-    const Vec3 u = cells_.fine.crossing(slot);
+  ContourId add_crossing(Index3 voxel, const Cells& cells, FineVoxel::Slot slot, int box_faces) {
+    const Vec3 u = cells.fine.crossing(slot);
     return mesher_.add_at(mesher_.place(voxel) + u, static_cast<std::uint8_t>(box_faces));
   }
 
   // Returns true if the cells' triangles might cross.
-  bool mesh_cells(const VoxelPieces& p) {
-    for (const auto slot : cells_.fine.crossed_inside())
-      cells_.vertex[slot] = add_crossing(p.voxel, slot, 0);
-    ++mesh_.split_voxels;
+  bool mesh_cells(const VoxelPieces& p, Cells& cells) {
+    for (const auto slot : cells.fine.crossed_inside())
+      cells.vertex[slot] = add_crossing(p.voxel, cells, slot, 0);
     for (int l = 0; l < p.loops.count; ++l) {
-      cells_.label[cells_.fine.piece(cells_.fine.crossed_part(p.loops.edges(l)[0]))] = p.label[l];
+      cells.label[cells.fine.piece(cells.fine.crossed_part(p.loops.edges(l)[0]))] = p.label[l];
     }
     bool crowded = false;
-    for (const FineVoxel::Cell& cell : cells_.fine.cells()) {
-      CellFrame frame = cells_.fine.frame(cell);
+    for (const FineVoxel::Cell& cell : cells.fine.cells()) {
+      CellFrame frame = cells.fine.frame(cell);
       frame.low = frame.low + mesher_.place(p.voxel);
       const VoxelLoops& loops = cell.loops;
       VoxelPieces pieces(p.voxel, cell.corners, loops, cell.tube);
       for (int n = 0; n < loops.first[loops.count]; ++n) {
-        pieces.vertex[n] = cells_.vertex[cells_.fine.slot(cell, loops.edge[n])];
+        pieces.vertex[n] = cells.vertex[cells.fine.slot(cell, loops.edge[n])];
       }
       for (int l = 0; l < loops.count; ++l) {
-        pieces.label[l] =
-            cells_.label[cells_.fine.piece(cells_.fine.slot(cell, loops.edges(l)[0]))];
+        pieces.label[l] = cells.label[cells.fine.piece(cells.fine.slot(cell, loops.edges(l)[0]))];
       }
       mesher_.cell(frame, pieces, p);
       crowded |= PieceMesher::is_crowded(loops);
     }
-    add_boundary(p);
+    add_boundary(p, cells);
     return crowded;
   }
 
   // Only split voxels have cells on the box, so only they call this.
-  void add_boundary(const VoxelPieces& p) {
+  void add_boundary(const VoxelPieces& p, const Cells& cells) {
     const unsigned outer = outer_faces(p.voxel, voxels_);
     for (int l = 0; l < p.loops.count; ++l) {
       for (int n = p.loops.first[l]; n < p.loops.first[l + 1]; ++n) {
@@ -172,23 +199,25 @@ class SplitMesher final : public ContourSink {
         if ((outer >> face & 1) == 0) continue;
         replaced_.push_back(p.vertex[n]);
         ContourId from = p.vertex[n];
-        cells_.fine.for_each_after(p.loops.edge[n], [&](FineVoxel::Slot slot) {
-          boundary_.push_back({from, cells_.vertex[slot], p.label[l], face});
-          from = cells_.vertex[slot];
+        cells.fine.for_each_after(p.loops.edge[n], [&](FineVoxel::Slot slot) {
+          boundary_.push_back({from, cells.vertex[slot], p.label[l], face});
+          from = cells.vertex[slot];
         });
       }
     }
   }
 
-  void mesh_beside(const VoxelPieces& p, const SplitFaces& at) {
+  void mesh_beside(const VoxelPieces& p, const CutFaces& at) {
     std::array<std::vector<ContourId>, kMaxLoops> loop;
     std::size_t vertices = 0;
     for (int l = 0; l < p.loops.count; ++l) {
       for (int n = p.loops.first[l]; n < p.loops.first[l + 1]; ++n) {
         loop[l].push_back(p.vertex[n]);
-        if (!at[p.loops.face[n]]) continue;
-        cells_.fine.for_each_after(
-            p.loops.edge[n], [&](FineVoxel::Slot slot) { loop[l].push_back(cells_.vertex[slot]); });
+        const Cut cut = at[p.loops.face[n]];
+        if (cut == Cut::whole) continue;
+        const Cells& c = cells(cut);
+        c.fine.for_each_after(p.loops.edge[n],
+                              [&](FineVoxel::Slot slot) { loop[l].push_back(c.vertex[slot]); });
         loop[l].pop_back();  // the next of the voxel's own
       }
       vertices += loop[l].size();
@@ -201,8 +230,9 @@ class SplitMesher final : public ContourSink {
 
   ContourMesh& mesh_;
   PieceMesher mesher_;
-  const VoxelNumbers& listed_;
-  Cells cells_;
+  const ContourSplit& split_;
+  std::array<Cells, 2> cells_;  // usual ones, and those of listed voxels
+  const unsigned seams_;        // faces with plain seams
   Index3 dims_, voxels_;
   const unsigned inner_faces_;
   std::vector<ContourId> first_across_y_, first_across_z_;  // first ids on the faces ahead
@@ -214,6 +244,7 @@ class SplitMesher final : public ContourSink {
 }  // namespace
 
 ContourMesh build_contour(const Volume& volume, double kappa, ContourSplit split) {
+  if (split.voxels.empty() && split.usual == Index3{1, 1, 1}) return build_contour(volume, kappa);
   while (true) {
     ContourMesh mesh;
     SplitMesher mesher(mesh, volume, kappa, split);
@@ -222,6 +253,7 @@ ContourMesh build_contour(const Volume& volume, double kappa, ContourSplit split
       complete(mesh, std::move(found), volume.inner_faces());
       return mesh;
     }
+    split.whole = united(split.whole, without(mesher.disagreeing, split.voxels));
     split.voxels = without(split.voxels, mesher.disagreeing);
   }
 }

@@ -18,8 +18,13 @@ namespace deliso {
 // Where T is to be finer. A split voxel is cut into i x j x k cells, whose corners have the
 // interpolant's values. Its pieces are those of its cells.
 struct ContourSplit {
-  std::vector<std::uint64_t> voxels;  // voxel_number()s of active voxels, ascending
-  Index3 factor{4, 4, 4};             // cells of each listed voxel, >= 1
+  std::vector<std::uint64_t> voxels{};  // voxel_number()s of active voxels, ascending
+  Index3 factor{4, 4, 4};               // cells of each listed voxel, >= 1
+  // Cells of each other voxel. These stay whole: voxels of the list `whole`, ascending; those
+  // across a face from a listed one, so that no face has two lattices; and those at a seam that the
+  // cells would cut, since the block beside it must have the same vertices there.
+  Index3 usual{1, 1, 1};
+  std::vector<std::uint64_t> whole{};
 };
 
 // Returns T, made finer as `split` says. I1-I6 and the topology of the plain T hold, component by

@@ -182,8 +182,7 @@ bool RefineGeom::improve(FaceId f) {
          (!met_frozen_ && insert_other_point(f));
 }
 
-// Inserts the foot of the circumcenter of f or, if that is far or refused, of its longest edge's
-// middle.
+// Inserts the foot of the circumcenter of f or, if that is refused, of its longest edge's middle.
 bool RefineGeom::insert_other_point(FaceId f) {
   const Triangle v = mesh_.faces[f].v;
   const std::array<Vec3, 3> p{r_.point(v[0]), r_.point(v[1]), r_.point(v[2])};

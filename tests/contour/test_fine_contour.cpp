@@ -50,17 +50,19 @@ std::size_t crossings(const ContourMesh& contour) {
 }  // namespace
 
 TEST_CASE("no two triangles of T cross, and T has the plain contour's summary") {
-  std::size_t crossed = 0, crossings_before = 0, cut = 0, unchanged = 0;
+  std::size_t crossed = 0, crossings_before = 0, cut = 0, unchanged = 0, long_voxels = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     CAPTURE(seed);
     const Noise noise = random_noise(seed);
-    ContourMesh plain = build_contour(noise.volume, noise.kappa);
-    const std::size_t before = crossings(plain);
+    const Index3 cells = cells_of_long_voxels(noise.volume.spacing());
+    long_voxels += cells != Index3{1, 1, 1};
+    ContourMesh begun = build_contour(noise.volume, noise.kappa, {.usual = cells});
+    const std::size_t before = crossings(begun);
     crossings_before += before;
     crossed += before > 0;
-    const ContourSummary summary = plain.summary;
-    const std::vector<Vec3> points = plain.points;
-    const ContourMesh fine = fine_contour(std::move(plain), noise.volume, noise.kappa);
+    const ContourSummary summary = build_contour(noise.volume, noise.kappa).summary;
+    const std::vector<Vec3> points = begun.points;
+    const ContourMesh fine = fine_contour(std::move(begun), noise.volume, noise.kappa, cells);
     CHECK(crossings(fine) == 0);
     CHECK(fine.summary.components == summary.components);
     CHECK(check_contour(fine, noise.volume, noise.kappa) == "");
@@ -69,10 +71,20 @@ TEST_CASE("no two triangles of T cross, and T has the plain contour's summary") 
     ++unchanged;
     CHECK(fine.points == points);  // it is given back as it was
   }
+  CHECK(long_voxels > 40);
   CHECK(crossed > 50);
   CHECK(crossings_before > 200);
   CHECK(cut > crossed);
   CHECK(unchanged > 50);
+}
+
+TEST_CASE("voxels are cut where they are three times as long as wide, or more") {
+  CHECK(cells_of_long_voxels({2, 2, 2}) == Index3{1, 1, 1});
+  CHECK(cells_of_long_voxels({1, 2.9, 1}) == Index3{1, 1, 1});
+  CHECK(cells_of_long_voxels({0.5, 0.5, 1.5}) == Index3{1, 1, 2});
+  CHECK(cells_of_long_voxels({5, 0.7, 0.7}) == Index3{4, 1, 1});
+  CHECK(cells_of_long_voxels({1, 10, 6}) == Index3{1, 5, 3});
+  CHECK(cells_of_long_voxels({1, 1, 1e300}) == Index3{1, 1, 32});
 }
 
 // `crowded` lists all voxels where triangles may cross: none cross in any other voxel, whichever

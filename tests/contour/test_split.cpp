@@ -10,9 +10,12 @@
 
 #include "base/random.h"
 #include "cases.h"
+#include "check/check_mesh.h"
+#include "coarsen/contour_as_mesh.h"
 #include "contour/split_voxels.h"
 #include "mesh_checks.h"
 #include "volume/sampled.h"
+#include "volume/volume_source.h"
 
 using namespace deliso;
 
@@ -76,10 +79,11 @@ bool is_active(const Volume& volume, double kappa, Index3 voxel) {
   return inside > 0 && inside < 8;
 }
 
-// Splits each active voxel with the given probability.
+// Splits each active voxel with the given probability, and in half of the cases the others, too.
 ContourSplit random_split(Random& random, const Volume& volume, double kappa, double share) {
   ContourSplit split;
   split.factor = random_dims(random, 1, 4);
+  if (random.below(2) == 0) split.usual = random_dims(random, 1, 4);
   const Index3 n = volume.voxels();
   const auto voxels = static_cast<std::uint64_t>(n.i) * static_cast<std::uint64_t>(n.j) *
                       static_cast<std::uint64_t>(n.k);
@@ -94,6 +98,7 @@ ContourSplit random_split(Random& random, const Volume& volume, double kappa, do
 
 struct Tally {
   std::uint64_t split = 0, expected = 0, tubes = 0, with_boundary = 0, closed = 0;
+  std::uint64_t cut_everywhere = 0;  // some voxels into other cells than the others
 };
 
 void check_split(Random& random, const Volume& volume, double kappa, Tally& tally) {
@@ -112,9 +117,10 @@ void check_split(Random& random, const Volume& volume, double kappa, Tally& tall
     CHECK((before[c] >= 0) == (after[c] >= 0));
     tally.closed += before[c] != 0;
   }
-  if (split.factor == Index3{1, 1, 1} || split.voxels.empty()) {
+  if ((split.factor == Index3{1, 1, 1} || split.voxels.empty()) && split.usual == Index3{1, 1, 1}) {
     CHECK(same_mesh(finer, plain));
   }
+  tally.cut_everywhere += split.usual != Index3{1, 1, 1} && !split.voxels.empty();
   tally.expected += split.voxels.size();  // if none is degenerate
   tally.split += finer.split_voxels;
   tally.with_boundary += plain.boundary.size() > 0;
@@ -135,6 +141,7 @@ TEST_CASE("random volumes, split at random, keep their topology") {
   CHECK(tally.split == tally.expected);  // no random voxel is degenerate
   CHECK(tally.split > test::cases(40000));
   CHECK(tally.tubes > test::cases(200));
+  CHECK(tally.cut_everywhere > test::cases(800));
   CHECK(tally.with_boundary > test::cases(2500));
   CHECK(tally.closed > test::cases(500));
 }
@@ -210,6 +217,36 @@ TEST_CASE("triangles face outwards and come closer to the surface as cells get s
     for (const auto& t : mixed.triangles) {
       const Vec3 &a = mixed.points[t[0]], &b = mixed.points[t[1]], &c = mixed.points[t[2]];
       CHECK(dot(cross(b - a, c - a), (a + b + c) / 3 - center) > 0);
+    }
+  }
+}
+
+// Cells that would cut a face between two blocks stop a voxel before it.
+TEST_CASE("blocks cut into cells end at crossings of grid edges, unless the cells keep the face") {
+  Random random(26);
+  const Volume whole = random_volume(random, {9, 8, 7}, [&] { return random.uniform(0, 1); });
+  for (int axis = 0; axis < 3; ++axis) {
+    CAPTURE(axis);
+    Index3 end = whole.voxels();
+    end[axis] = 4;
+    const Volume block = samples_of(whole, {{0, 0, 0}, end});
+    REQUIRE(block.inner_faces() == 2u << (2 * axis));
+    const auto on_seam = [&](const ContourMesh& mesh) {
+      return std::ranges::count_if(
+          mesh.box_faces, [&](std::uint8_t faces) { return (faces & block.inner_faces()) != 0; });
+    };
+    const ContourMesh plain = build_contour(block, 0.5);
+    for (int along = 0; along < 3; ++along) {
+      CAPTURE(along);
+      ContourSplit split;
+      split.usual[along] = 3;
+      const ContourMesh cut = build_contour(block, 0.5, split);
+      CHECK(cut.summary == plain.summary);
+      const SurfaceMesh mesh = contour_as_mesh(cut);
+      CHECK(check_mesh(mesh.mesh) == "");
+      CHECK(ends_on_chain(mesh));
+      CHECK(cut.points.size() > plain.points.size() + 100);
+      CHECK(on_seam(cut) == on_seam(plain));
     }
   }
 }

@@ -157,6 +157,14 @@ TEST_CASE("samples of any exponent give a valid mesh") {
   }
 }
 
+// Noise of 1:1:10. Sheets are a voxel apart, and the circumcenter of an obtuse facet is up to six
+// of its longest edges away. Its surface point was inserted, on another sheet: a component was
+// lost.
+TEST_CASE("no obtuse facet gets a vertex on another sheet") {
+  const Volume volume = noise<std::uint8_t>({9, 9, 9}, {1, 1, 10}, 256, 75);
+  CHECK(count_faults(FaultKind::missing_components, volume, 127.5, 0) == 0);
+}
+
 // The circumcenter of a facet with an angle of nearly 180 degrees is many voxels away. A point of
 // the surface near it was inserted, though it lay on another component: edges of 7 and 9 voxels.
 TEST_CASE("a flat facet gets no vertex near its far circumcenter") {
