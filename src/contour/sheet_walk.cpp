@@ -26,16 +26,29 @@ Vec3 crossing(const VoxelValues& values, int edge) {
   return p;
 }
 
+// How far a way on the sheet may leave the shortest one between two voxels, along the axes, and
+// come back. A sheet without a fold does not leave it.
+constexpr int kDetourVoxels = 1;
+
+bool is_voxel(const Volume& volume, Index3 at) {
+  bool is_inside = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    is_inside &= 0 <= at[axis] && at[axis] < volume.voxels()[axis];
+  }
+  return is_inside;
+}
+
 int distance_between(Index3 a, Index3 b) {
   return std::abs(a.i - b.i) + std::abs(a.j - b.j) + std::abs(a.k - b.k);
 }
 
 }  // namespace
 
-// The order of a heap: the nearest to the last voxel comes first, of these the first in scan order.
+// The order of a heap: the shortest way comes first, of these the one that has come the furthest,
+// then the first in scan order.
 bool SheetWalk::Step::is_after(const Step& a, const Step& b) {
   const auto key = [](const Step& s) {
-    return std::tuple(s.distance, s.voxel.k, s.voxel.j, s.voxel.i, s.edge);
+    return std::tuple(s.steps + s.left, s.left, s.voxel.k, s.voxel.j, s.voxel.i, s.edge);
   };
   return key(a) > key(b);
 }
@@ -78,19 +91,16 @@ std::uint8_t& SheetWalk::visited(Index3 voxel) {
   return visited_[at(0) + size_.i * (at(1) + size_.j * at(2))];
 }
 
-// Adds the voxels to which the piece goes on to those ahead.
-void SheetWalk::walk_on(const Pieces& from, int piece, Index3 last) {
+// Adds the voxels to which the piece goes on, after so many steps, to those ahead.
+void SheetWalk::walk_on(const Pieces& from, int piece, int steps, Index3 last) {
   for (int l = 0; l < from.loops.count; ++l) {
     if (from.piece_of(l) != piece) continue;
     for (int n = from.loops.first[l]; n < from.loops.first[l + 1]; ++n) {
       const Index3 next = voxel_across(from.at, from.loops.face[n]);
-      bool is_within = true;
-      for (int axis = 0; axis < 3; ++axis) {
-        is_within &= low_[axis] <= next[axis] && next[axis] < low_[axis] + size_[axis];
-      }
-      if (!is_within) continue;
+      const int left = distance_between(next, last);
+      if (steps + 1 + left > most_steps_ || !is_voxel(volume_, next)) continue;
       const int edge = edge_across(from.loops.edge[n], from.loops.face[n]);
-      ahead_.push_back({distance_between(next, last), next, edge});
+      ahead_.push_back({steps + 1, left, next, edge});
       std::ranges::push_heap(ahead_, Step::is_after);
     }
   }
@@ -104,17 +114,17 @@ bool SheetWalk::leads(const Vec3& p, const Vec3& q) {
   if (end.loops.count == 0) return false;
   const int from = begin.nearest(volume_, p), to = end.nearest(volume_, q);
   if (first == last) return from == to;
+  most_steps_ = distance_between(first, last) + 2 * kDetourVoxels;
   std::size_t voxels = 1;
   for (int axis = 0; axis < 3; ++axis) {
-    low_[axis] = std::max(0, std::min(first[axis], last[axis]) - 1);
-    const int high = std::min(volume_.voxels()[axis] - 1, std::max(first[axis], last[axis]) + 1);
-    size_[axis] = high - low_[axis] + 1;
+    low_[axis] = std::min(first[axis], last[axis]) - kDetourVoxels;
+    size_[axis] = std::abs(first[axis] - last[axis]) + 1 + 2 * kDetourVoxels;
     voxels *= static_cast<std::size_t>(size_[axis]);
   }
   visited_.assign(voxels, 0);
   ahead_.clear();
   visited(first) |= 1 << from;
-  walk_on(begin, from, last);
+  walk_on(begin, from, 0, last);
   while (!ahead_.empty()) {
     std::ranges::pop_heap(ahead_, Step::is_after);
     const Step step = ahead_.back();
@@ -125,7 +135,7 @@ bool SheetWalk::leads(const Vec3& p, const Vec3& q) {
     std::uint8_t& seen = visited(step.voxel);
     if ((seen >> piece & 1) != 0) continue;
     seen |= 1 << piece;
-    walk_on(here, piece, last);
+    walk_on(here, piece, step.steps, last);
   }
   return false;
 }

@@ -6,8 +6,9 @@
 //
 //   W1  Between voxels the answer rests on exact signs alone.
 //   W2  Within a voxel of several pieces, a point is on the piece whose loop it is nearest to.
-//   W3  The walk stays within a voxel of the box of both points. A way around that is longer does
-//       not count: another part of the same component is another sheet.
+//   W3  The walk makes two steps more, at most, than the voxels of both points are apart along the
+//       axes. A longer way around does not count: another part of the same component is another
+//       sheet.
 #pragma once
 
 #include <cstdint>
@@ -43,21 +44,22 @@ class SheetWalk {
     Tube tube;
   };
   struct Step {
-    int distance;  // to the last voxel, in voxels along the axes
+    int steps, left;  // made until there, and to the last voxel along the axes
     Index3 voxel;
     int edge;  // of the voxel: the walk came over a segment that begins or ends there
 
     static bool is_after(const Step& a, const Step& b);
   };
 
-  void walk_on(const Pieces& from, int piece, Index3 last);
+  void walk_on(const Pieces& from, int piece, int steps, Index3 last);
   std::uint8_t& visited(Index3 voxel);
 
   const Volume& volume_;
   double kappa_;
+  int most_steps_ = 0;
   Index3 low_, size_;                  // of the voxels in which the walk stays
   std::vector<std::uint8_t> visited_;  // per voxel, the pieces, by bits
-  std::vector<Step> ahead_;            // a heap, the nearest to the last voxel on top
+  std::vector<Step> ahead_;            // a heap, the shortest way on top
 };
 
 }  // namespace deliso

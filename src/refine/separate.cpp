@@ -25,6 +25,9 @@ constexpr double kFlatFold = -0.99985;
 // Length of a move, in gaps: where both sheets move, they end a little beyond the gap.
 constexpr double kMoveGaps = 0.7;
 
+// Shorter moves, in gaps, are not made: the vertex is as far off Sigma as it may be.
+constexpr double kLeastMoveGaps = 0.01;
+
 // A point of Sigma within this share of a move from its end is taken for the end.
 constexpr double kBesideShare = 0.5;
 
@@ -34,6 +37,12 @@ constexpr double kSameSheetCosine = 0.7;
 
 // Rounds of moves. One is enough for two sheets; vertices around one point need two.
 constexpr int kMaxRounds = 16;
+
+// Returns p, or the point at the limit on the way from `home` to it.
+Vec3 within(const Vec3& p, const Vec3& home, double limit) {
+  const double d = distance(home, p);
+  return d > limit ? home + limit / d * (p - home) : p;
+}
 
 class Separation {
  public:
@@ -107,6 +116,7 @@ class Separation {
   const double gap_;
   std::vector<Push> pushes_;  // of this round
   IdArray<VertexId, std::uint8_t> is_seen_;
+  IdArray<VertexId, std::optional<Vec3>> left_from_;  // of vertices off Sigma, their place on it
   std::vector<FaceId> near_;
 };
 
@@ -301,8 +311,9 @@ void Separation::find_edge_pushes(FaceId f) {
   }
 }
 
-// Moves v in the direction `along`, to a point of Sigma if one is beside the place. A vertex on the
-// box stays in its faces, one on a fixed arc where it is, and all stay in the box.
+// Moves v in the direction `along`, to a point of Sigma if one is beside the place; else it stays
+// within the gap of where it left Sigma. A vertex on the box stays in its faces, one on a fixed arc
+// where it is, and all stay in the box.
 bool Separation::move(const Push& push) {
   const VertexId v = push.vertex;
   const FaceId f = push.facet;
@@ -320,18 +331,24 @@ bool Separation::move(const Push& push) {
   const Cavity* cavity = size > 0 ? r_.open(r_.star(f, v)) : nullptr;
   if (!cavity) return false;
   Vec3 to = from + step / size * along;
+  std::optional<Vec3> foot;
   if (!is_boundary) {
     Vec3 normal;
     for (const Triangle& t : cavity->disk.facets) normal = normal + r_.normal(t);
-    const auto foot = r_.finder.foot(to, normal, kBesideShare * step, r_.report.searches_refine);
-    if (foot) to = *foot;
+    foot = r_.finder.foot(to, normal, kBesideShare * step, r_.report.searches_refine);
   }
+  left_from_.resize(r_.mesh.points.size());
+  const Vec3 home = left_from_[v].value_or(from);
+  to = foot ? *foot : within(to, home, gap_);
+  if (distance(to, from) < kLeastMoveGaps * gap_) return false;
   for (int axis = 0; axis < 3; ++axis) {
     if (!is_boundary && !(box.lo[axis] < to[axis] && to[axis] < box.hi[axis])) return false;
     to[axis] = std::clamp(to[axis], box.lo[axis], box.hi[axis]);
   }
   const Question question(r_, v, Reason::too_near);
-  return accept(Operation::move, r_.make(cavity->move(v, to, kTopologyGates)));
+  if (!accept(Operation::move, r_.make(cavity->move(v, to, kTopologyGates)))) return false;
+  left_from_[v] = foot ? std::nullopt : std::optional(home);
+  return true;
 }
 
 }  // namespace

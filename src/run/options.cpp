@@ -12,9 +12,10 @@ namespace {
 // Facets with a smaller circumradius are not refined, not even for shape.
 constexpr double kShapeFloorVoxels = 0.05;
 
-// The distance to which facets that face each other are moved apart. It is what vertices may leave
-// Sigma by. Programs that fill surfaces with tetrahedra take facets much nearer than that for one.
-constexpr double kGapVoxels = 1e-3;
+// The distance to which facets that face each other are moved apart, and the largest by which that
+// moves a vertex off Sigma. Programs that fill surfaces with tetrahedra take facets much nearer than
+// that for one.
+constexpr double kGapVoxels = 8e-4;
 
 }  // namespace
 

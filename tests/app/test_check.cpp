@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <string>
 #include <vector>
 
@@ -95,8 +96,13 @@ TEST_CASE("caps that nearly touch are told of, and are no faults") {
   // Samples at the isovalue, on the box too: curves of the surface there run next to grid lines.
   Random random(1);
   std::string samples;
-  for (int n = 0; n < 4 * 5 * 6; ++n) samples += static_cast<char>(50 * random.below(3));
-  const std::string volume = folder.write("ties.raw", samples) + " --dims 4x5x6 --type uint8 --cap";
+  for (int n = 0; n < 4 * 5 * 6; ++n) {
+    const auto sample = static_cast<float>(50 * random.below(3));
+    const auto bytes = std::bit_cast<std::array<char, 4>>(sample);
+    samples.append(bytes.data(), bytes.size());
+  }
+  const std::string volume =
+      folder.write("ties.raw", samples) + " --dims 4x5x6 --type float32 --cap";
   const std::string mesh = folder / "mesh.ply", file = folder / "report.json";
   const auto report = [&](const std::string& arguments) {
     const CommandLine line = parsed(arguments + " --quiet --json " + file);

@@ -69,7 +69,7 @@ TEST_CASE("a fold has an angle below one degree, and the surface has none there"
   }
 }
 
-TEST_CASE("a vertex is near a triangle of others up to 1e-5 of the box") {
+TEST_CASE("a vertex is near a triangle of others up to .0006 voxels") {
   const Volume volume = falling(false);  // ten voxels a side
   std::vector<Vec3> points{{1, 1, 5}, {9, 1, 5}, {1, 9, 5}};
   std::vector<Triangle> triangles{{0, 1, 2}};
@@ -80,9 +80,9 @@ TEST_CASE("a vertex is near a triangle of others up to 1e-5 of the box") {
     both.push_back({3, 4, 5});
     return found_in(all, both, volume).near;
   };
-  for (const double height : {0.99e-4, 1.01e-4}) {
+  for (const double height : {5.99e-4, 6.01e-4}) {
     CAPTURE(height);
-    const std::size_t expected = height < 1e-4 ? 1 : 0;
+    const std::size_t expected = height < 6e-4 ? 1 : 0;
     CHECK(near_with({3, 3, 5 + height}).size() == expected);      // over the triangle
     CHECK(near_with({5, 1 - height, 5}).size() == expected);      // beside an edge
     CHECK(near_with({1 - height, 1, 5}).size() == 2 * expected);  // at a vertex: both are near
@@ -112,8 +112,10 @@ TEST_CASE("brute force finds the same near vertices, whatever the number of thre
     const Scene scene = wave_scene(7, 14, {1, 1, 1.0 * stretch});
     const std::vector<Vec3>& points = scene.contour.points;
     const std::vector<Triangle> triangles = contour_as_mesh(scene.contour).mesh.triangles();
-    const ClosePlaces found = found_in(points, triangles, scene.volume);
-    const double limit = near_distance(scene.volume);
+    // Of voxels twenty times as large, so that some are near.
+    const Volume volume = wave_scene(7, 14, {20, 20, 20.0 * stretch}).volume;
+    const ClosePlaces found = found_in(points, triangles, volume);
+    const double limit = near_distance(volume);
     std::vector<std::uint8_t> is_closed(points.size(), 0), is_near(points.size(), 0);
     const auto close = [&](FaceId f) {
       for (const VertexId v : triangles[f]) is_closed[v] = 1;
@@ -133,7 +135,7 @@ TEST_CASE("brute force finds the same near vertices, whatever the number of thre
       CHECK_MESSAGE((is_near[v] != 0) == expected, v);
     }
     near += found.near.size();
-    CHECK(found_in(points, triangles, scene.volume, 3).near == found.near);
+    CHECK(found_in(points, triangles, volume, 3).near == found.near);
   }
   CHECK(near > 0);
 }

@@ -352,7 +352,11 @@ TEST_CASE(
     if (!scene.volume.box().contains(to)) continue;
     const bool crosses = !crossing_in(moved).empty();
     const Stage::Snapshot before = stage.snapshot();
-    Change change{.cavity{star.begin(), star.end()}, .apex = to, .moved = v};
+    // No duals are asked for: the place may lie off Sigma.
+    Change change{.cavity{star.begin(), star.end()},
+                  .gates{.least_cosine = kAnyFold, .surface_points = false},
+                  .apex = to,
+                  .moved = v};
     const auto refusal = make(stage.r, change);
     REQUIRE((refusal == Refusal::crossing) == crosses);
     ++(crosses ? crossing : done);

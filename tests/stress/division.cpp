@@ -73,7 +73,7 @@ TriMesh surface_of(const TriMesh& mesh, std::size_t triangles) {
 }
 
 // How far vertices may be moved off Sigma (refine/separate.cpp), in voxels.
-constexpr double kMovedVoxels = 0.01;
+constexpr double kMovedVoxels = 0.001;
 
 // Returns what is wrong with the mesh; empty: nothing. Sets `faults`, and `is_close` where the mesh
 // is nearly flat on itself: that is counted, not ruled out. Boxes around the seams of blocks so

@@ -25,8 +25,6 @@ struct KnownFailure {
 inline constexpr KnownFailure kKnownFailures[] = {
     {165, true, "broken: I4: 4 facets share the edge",
      "--paper --single-stage: an edge of four facets, though every vertex has its disk"},
-    {334, true, "check: vertices off surface 1, ",
-     "check misses a tube of 1e-9 voxel around samples at kappa: the vertex is .001 off"},
     {21037, false, "slow: ", "--triangles 8: refined and coarsened for 1.5 s, the whole for .07 s"},
     {21279, false, "slow: ", "--vertices 5: refined and coarsened for 6 s, the whole for .05 s"},
     {22851, true, "check (without it too): vertices off surface 1, ",

@@ -80,7 +80,7 @@ constexpr std::array<std::string_view, kKinds> kKindNames{"broken", "turned", "c
 constexpr std::uint64_t kMeshesPerClose = 12;
 
 // How far vertices may be moved off Sigma (refine/separate.cpp).
-constexpr double kMovedVoxels = 0.01;
+constexpr double kMovedVoxels = 0.001;
 
 // What was found, by kind; an empty text is no fault.
 using Findings = std::array<std::string, kKinds>;
