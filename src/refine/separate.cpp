@@ -331,14 +331,15 @@ bool Separation::move(const Push& push) {
   const Cavity* cavity = size > 0 ? r_.open(r_.star(f, v)) : nullptr;
   if (!cavity) return false;
   Vec3 to = from + step / size * along;
-  std::optional<Vec3> foot;
-  if (!is_boundary) {
-    Vec3 normal;
-    for (const Triangle& t : cavity->disk.facets) normal = normal + r_.normal(t);
-    foot = r_.finder.foot(to, normal, kBesideShare * step, r_.report.searches_refine);
-  }
+  Vec3 normal;
+  for (const Triangle& t : cavity->disk.facets) normal = normal + r_.normal(t);
+  const auto foot_of = [&](const Vec3& p, double limit) {
+    return is_boundary ? std::nullopt : r_.finder.foot(p, normal, limit, r_.report.searches_refine);
+  };
+  const std::optional<Vec3> foot = foot_of(to, kBesideShare * step);
   left_from_.resize(r_.mesh.points.size());
-  const Vec3 home = left_from_[v].value_or(from);
+  // A block may have moved v off Sigma before.
+  const Vec3 home = left_from_[v] ? *left_from_[v] : foot_of(from, gap_).value_or(from);
   to = foot ? *foot : within(to, home, gap_);
   if (distance(to, from) < kLeastMoveGaps * gap_) return false;
   for (int axis = 0; axis < 3; ++axis) {

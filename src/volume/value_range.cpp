@@ -75,9 +75,8 @@ template <class T>
 // section, 1/phi^2. The surface keeps off samples on both sides, and of all numbers this one is the
 // furthest from fractions (Hurwitz), which saddles are. Tried on ten volumes, docs/decisions.md.
 constexpr double kBelowSample = 0.38196601125;
-// The same for an isovalue that saddles alone may equal. Masks are meshed half-way: it moves their
-// surface by a thousandth of a voxel, and two sheets at a saddle by some hundredths.
-constexpr double kBelowSaddle = 0.001;
+// The same for an isovalue that saddles alone may equal: there the surface is off all samples.
+constexpr double kBelowSaddle = 0x1p-20;
 
 }  // namespace
 

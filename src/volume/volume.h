@@ -147,7 +147,7 @@ std::optional<T> inside_threshold(double kappa) {
 // volume have the same, and so does a check. No number of the type lies between the two, so each
 // sample stays on its side:
 //   - integers of n bits: less by .38 if the isovalue is an integer. A multiple of 2^-n, which only
-//     saddles may equal, is lowered by .001, or by half the way to the next lower integer if that
+//     saddles may equal, is lowered by 2^-20, or by half the way to the next lower integer if that
 //     is shorter. Any other isovalue stays: no sample equals it, and no saddle of a face. A saddle
 //     is a fraction of two integers, and the lower one is below 2^(n+1).
 //   - float32: halfway to the next lower float if the isovalue is a float, else the isovalue.

@@ -314,7 +314,7 @@ TEST_CASE("the isovalue of the geometry depends on the type and the isovalue alo
       CAPTURE(isovalue);
       CHECK(geometric_isovalue(type, isovalue) == isovalue - 0.38196601125);
     }
-    CHECK(geometric_isovalue(type, 40.5) == 40.5 - 0.001);
+    CHECK(geometric_isovalue(type, 40.5) == 40.5 - 0x1p-20);
     CHECK(geometric_isovalue(type, 40.1) == 40.1);
   }
   CHECK(geometric_isovalue(u8, 40 + 0x1p-9) == 40 + 0x1p-9);
