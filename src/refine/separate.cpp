@@ -109,6 +109,12 @@ class Separation {
     Vec3 along;
   };
   bool move(const Push& push);
+  // True if p is so near to Sigma that no move began there off it.
+  bool is_on_sigma(const Vec3& p) const {
+    const Volume& volume = r_.surface.volume();
+    return std::abs(volume.value(p) - r_.surface.kappa()) <=
+           kLeastMoveGaps * gap_ * length(volume.gradient(p));
+  }
 
   Refinement& r_;
   std::vector<FaceId> facets_;  // to be looked at; grows
@@ -338,9 +344,12 @@ bool Separation::move(const Push& push) {
   };
   const std::optional<Vec3> foot = foot_of(to, kBesideShare * step);
   left_from_.resize(r_.mesh.points.size());
-  // A block may have moved v off Sigma before.
-  const Vec3 home = left_from_[v] ? *left_from_[v] : foot_of(from, gap_).value_or(from);
-  to = foot ? *foot : within(to, home, gap_);
+  // A block may have moved v off Sigma before, and its place there may be found no more.
+  const std::optional<Vec3> home = left_from_[v]       ? left_from_[v]
+                                   : is_on_sigma(from) ? std::optional(from)
+                                                       : foot_of(from, gap_);
+  if (!home) return false;
+  to = foot ? *foot : within(to, *home, gap_);
   if (distance(to, from) < kLeastMoveGaps * gap_) return false;
   for (int axis = 0; axis < 3; ++axis) {
     if (!is_boundary && !(box.lo[axis] < to[axis] && to[axis] < box.hi[axis])) return false;
@@ -348,7 +357,7 @@ bool Separation::move(const Push& push) {
   }
   const Question question(r_, v, Reason::too_near);
   if (!accept(Operation::move, r_.make(cavity->move(v, to, kTopologyGates)))) return false;
-  left_from_[v] = foot ? std::nullopt : std::optional(home);
+  left_from_[v] = foot ? std::nullopt : home;
   return true;
 }
 
