@@ -241,7 +241,7 @@ std::uint64_t SurfaceWork::in(const SampleBox& box) const {
   return ends * kRowsApart / 2;
 }
 
-std::array<std::vector<int>, 3> planes_at_equal_shares(const SurfaceWork& work) {
+BlockGrid grid_at_equal_shares(const SurfaceWork& work) {
   std::array<std::vector<AxisPlanes>, 3> choices;
   for (int axis = 0; axis < 3; ++axis) choices[axis] = all_planes_along(work, axis);
   std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
@@ -261,7 +261,7 @@ std::array<std::vector<int>, 3> planes_at_equal_shares(const SurfaceWork& work) 
       }
     }
   }
-  return {best[0]->at, best[1]->at, best[2]->at};
+  return {{best[0]->at, best[1]->at, best[2]->at}, work.active()};
 }
 
 }  // namespace deliso

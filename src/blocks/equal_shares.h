@@ -48,9 +48,9 @@ class SurfaceWork {
   std::vector<std::uint64_t> sums_;  // per corner of a cell: the work between it and sample 0
 };
 
-// Returns per axis the planes of samples, first and last included. The more planes there are, the
-// less work has the heaviest block, and the more is done at seams; the sum of both is least. Blocks
-// below 8,000 crossed edges are never divided for it, and those above 200,000 if they can be.
-std::array<std::vector<int>, 3> planes_at_equal_shares(const SurfaceWork& work);
+// Returns the grid. The more planes there are, the less work has the heaviest block, and the more
+// is done at seams; the sum of both is least. Blocks below 8,000 crossed edges are never divided
+// for it, and those above 200,000 if they can be.
+BlockGrid grid_at_equal_shares(const SurfaceWork& work);
 
 }  // namespace deliso

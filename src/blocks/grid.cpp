@@ -7,7 +7,8 @@
 
 namespace deliso {
 
-BlockGrid::BlockGrid(const Grid& volume, int side) {
+BlockGrid::BlockGrid(const Grid& volume, int side)
+    : surface{volume.first(), volume.first() + volume.voxels()} {
   for (int axis = 0; axis < 3; ++axis) {
     const int voxels = volume.voxels()[axis], first = volume.first()[axis];
     const int parts = side > 0 ? std::max(1, (voxels + side / 2) / side) : 1;
@@ -15,6 +16,13 @@ BlockGrid::BlockGrid(const Grid& volume, int side) {
       planes[axis].push_back(first + static_cast<int>(std::int64_t{voxels} * n / parts));
     }
   }
+}
+
+int BlockGrid::side_at(int axis, std::size_t n) const {
+  const std::vector<int>& at = planes[axis];
+  const int before = n == 1 ? std::max(at.front(), surface.begin[axis]) : at[n - 1];
+  const int after = n + 2 == at.size() ? surface.end[axis] : at[n + 1];
+  return std::min(at[n] - before, after - at[n]);
 }
 
 Index3 BlockGrid::cells() const {

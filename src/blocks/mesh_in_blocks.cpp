@@ -33,7 +33,7 @@ std::optional<SurfaceWork> deciding_work(const RunInput& run) {
 }
 
 BlockGrid grid_for(const std::optional<SurfaceWork>& work, const RunInput& run) {
-  if (work) return BlockGrid(planes_at_equal_shares(*work));
+  if (work) return grid_at_equal_shares(*work);
   // Who follows insertions sees them in one order.
   return follower(run.parameters.observer) ? BlockGrid(run.source.shape, 0)
                                            : block_grid(run.source.shape, run.options);
@@ -90,7 +90,7 @@ bool grid_follows_surface(const Grid& shape, const Options& options) {
 
 BlockGrid block_grid(const VolumeSource& source, double isovalue, const Options& options) {
   if (!grid_follows_surface(source.shape, options)) return block_grid(source.shape, options);
-  return BlockGrid(planes_at_equal_shares(SurfaceWork(source, isovalue, options.threads)));
+  return grid_at_equal_shares(SurfaceWork(source, isovalue, options.threads));
 }
 
 BlockGrid block_grid(const Grid& shape, const Options& options) {

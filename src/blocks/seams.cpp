@@ -34,8 +34,8 @@ class RoundBoxes {
       std::vector<double>& ends = ends_[axis];
       ends.push_back(-FreeBox::kFar);
       for (std::size_t n = 1; n + 1 < planes.size(); ++n) {
-        const int side = std::min(planes[n] - planes[n - 1], planes[n + 1] - planes[n]);
-        const double half = std::min(kHalfSamples[round], kMaxShares[round] * side);
+        const double half =
+            std::min(kHalfSamples[round], kMaxShares[round] * grid_.side_at(axis, n));
         ends.push_back((planes[n] - half) * spacing);
         ends.push_back((planes[n] + half) * spacing);
       }

@@ -125,12 +125,12 @@ std::optional<Refusal> Refinement::make(Proposal proposal, const Accept& accept)
   put_in_place(c);
   std::optional<Refusal> refusal = test_shape(c);
   if (!refusal && !accept(c)) refusal = Refusal::no_gain;
+  if (!refusal && leaves_sheet(c)) refusal = Refusal::other_sheet;
   for (std::ptrdiff_t allowed = facets_without_point(c); !refusal && !c.has_duals();) {
     refusal = !find_dual(c, allowed) ? std::optional(Refusal::no_surface_point)
               : !accept(c)           ? std::optional(Refusal::no_gain)
                                      : std::nullopt;
   }
-  if (!refusal && leaves_sheet(c)) refusal = Refusal::other_sheet;
   if (!refusal && uncovers(c)) refusal = Refusal::uncovers;
   if (!refusal && crosses(c)) refusal = Refusal::crossing;
   refusal ? undo(c) : commit(c);

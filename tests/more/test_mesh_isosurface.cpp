@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/random.h"
 #include "base/triangle.h"
 #include "cases.h"
@@ -21,6 +22,7 @@
 #include "run/criteria.h"
 #include "see.h"
 #include "surface/surface_point.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -40,6 +42,17 @@ Run run(const Volume& volume, double isovalue, const Options& options) {
 // Where facets nearly touch, vertices are moved apart (refine/separate.h): few, and by little.
 constexpr double kMovedShare = 1e-3;   // of the vertices
 constexpr double kMovedValues = 1e-3;  // of the range of samples
+
+// Waves in a box of samples, and zeros up to `dims`. The last layers of the box are zeros, too:
+// points beyond a volume are asked for as its nearest ones.
+Volume padded_waves(Index3 waves, Index3 dims) {
+  return sampled<std::uint8_t>(dims, {1, 1, 1}, [&](int i, int j, int k) {
+    constexpr int kZeros = 5;
+    const bool is_within = i < waves.i - kZeros && j < waves.j - kZeros && k < waves.k - kZeros;
+    const double wave = sine(0.9 * i + 0.3 * k) + sine(0.8 * j + 0.2 * i) + sine(0.7 * k + 0.4 * j);
+    return is_within ? 120 + 35 * wave : 0;
+  });
+}
 
 // What holds of every mesh, whatever the surface.
 void check_sound(const Run& out, const Volume& volume) {
@@ -353,5 +366,24 @@ TEST_CASE("target_vertices gives a mesh of that many, nearer to the surface the 
     CHECK(out.mesh.points.size() == target);
     CHECK(out.report.max_distance < before);
     before = out.report.max_distance;
+  }
+}
+
+// The gap between facets was a share of the longest side: in 50,000 samples vertices were voxels
+// off Sigma. And blocks lay elsewhere.
+TEST_CASE("a volume padded with zeros to any length has the same mesh") {
+  struct Padding {
+    Index3 waves, dims;
+  };
+  const Padding paddings[] = {{{16, 16, 60}, {16, 16, 61}},    {{16, 16, 60}, {16, 16, 5000}},
+                              {{60, 16, 16}, {20000, 16, 16}}, {{16, 60, 16}, {17, 700, 30}},
+                              {{42, 42, 42}, {43, 100, 42}},   {{42, 42, 42}, {90, 90, 90}}};
+  for (const Padding& padding : paddings) {
+    CAPTURE(padding.dims.k);
+    const Run alone = run(padded_waves(padding.waves, padding.waves), 120.5, {});
+    const Run padded = run(padded_waves(padding.waves, padding.dims), 120.5, {});
+    CHECK(alone.mesh.points.size() > 500);
+    CHECK(padded.mesh.points == alone.mesh.points);
+    CHECK(padded.mesh.triangles() == alone.mesh.triangles());
   }
 }

@@ -8,6 +8,7 @@
 
 #include <limits>
 
+#include "check/check_mesh.h"
 #include "mesh/meshes.h"
 #include "mesh/tri_mesh.h"
 #include "refine/stage.h"
@@ -209,6 +210,19 @@ TEST_CASE(
   while (!stage.surface_mesh.duals[f].on_surface) ++f;
   const auto good = [&] { return cone(stage, f, stage.surface_mesh.duals[f].center); };
 
+  SUBCASE("a point of Sigma on another component") {
+    const VertexId here = stage.mesh.faces[f].v[0];
+    const std::vector<std::uint32_t> component =
+        vertex_components(stage.mesh.points.size(), stage.mesh.triangles());
+    int others = 0;
+    for (VertexId v = 0; v < stage.mesh.points.size(); ++v) {
+      if (component[v.number()] == component[here.number()]) continue;
+      const auto refusal = stage.r.make(cone(stage, f, stage.mesh.points[v]));
+      CHECK((refusal == Refusal::other_sheet || refusal == Refusal::turned));
+      others += refusal == Refusal::other_sheet;
+    }
+    CHECK(others > 10);
+  }
   SUBCASE("what is to go is no disk") {
     CHECK(!stage.r.open(std::array{f, f}));
     FaceId far = 0;
