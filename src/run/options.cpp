@@ -13,8 +13,8 @@ namespace {
 constexpr double kShapeFloorVoxels = 0.05;
 
 // The distance to which facets that face each other are moved apart, and the largest by which that
-// moves a vertex off Sigma. Programs that fill surfaces with tetrahedra take facets much nearer than
-// that for one.
+// moves a vertex off Sigma. Programs that fill surfaces with tetrahedra take facets much nearer
+// than that for one.
 constexpr double kGapVoxels = 8e-4;
 
 }  // namespace

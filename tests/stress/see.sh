@@ -1,15 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# A storm shows a seed with a fault, as docs/guide/a-seed-failed.md says: with DELISO_SEE it writes the
-# meshes, and the commands that it prints run. Without it nothing is written. The seed is one of
-# known_failures.h. Usage: see.sh STRESS_OPTIONS DELISO
+# A storm shows a seed, as docs/guide/a-seed-failed.md says: with DELISO_SEE it writes the meshes, and
+# the commands that it prints run. Without it nothing is written. The seed has a needle: no seed is
+# known with a fault, of which there would be a mesh and a picture, too.
+# Usage: see.sh STRESS_OPTIONS DELISO
 set -eu
 storm=$1
 deliso=$2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
-seed=30
+seed=41
 
 "$storm" --first-seed $seed --count 1 --list >said
 [ "$(ls)" = said ] || { echo "FAULT: written without DELISO_SEE: $(ls)"; exit 1; }
@@ -20,10 +21,9 @@ done
 sed -n 's/^  deliso //p' said >commands
 [ "$(wc -l <commands)" -eq 3 ] || { echo 'FAULT: not three commands:' && cat said && exit 1; }
 while read -r command; do
-  case $command in render*) command="$command --size 320x240" ;; esac
   # shellcheck disable=SC2086
   "$deliso" $command
 done <commands
-for made in -contour.html -without.html .png; do
+for made in -contour.html -without.html; do
   [ -s "seen/stress_options-$seed$made" ] || { echo "FAULT: no $made"; exit 1; }
 done
