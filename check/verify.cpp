@@ -186,12 +186,10 @@ std::vector<std::uint8_t> check_vertices_on_surface(const CleanMesh& mesh,
       }
       on_surface[v] = off[v] == 0;
       if (!on_surface[v]) continue;
-      bool is_here = false;
-      exact.voxels.for_each_component_at(p, [&](std::uint32_t c) {
-        is_here |= c == compared.match[m];
-        elsewhere[v] = std::min(elsewhere[v], c);
-      });
-      if (is_here) elsewhere[v] = kNoId;
+      // A vertex that was kept apart may have passed a face between voxels.
+      if (exact.voxels.has_near(p, kApartVoxels, compared.match[m])) continue;
+      exact.voxels.for_each_component_at(
+          p, [&](std::uint32_t c) { elsewhere[v] = std::min(elsewhere[v], c); });
     }
   });
   for (VertexId v = 0; v < off.size(); ++v) {

@@ -28,6 +28,12 @@ class VoxelComponents {
   std::vector<std::uint32_t> at(const Vec3& p) const { return near(p, tolerance_voxels_); }
   // The same, of that voxel and its neighbors.
   std::vector<std::uint32_t> around(const Vec3& p) const { return near(p, 1); }
+  // True if the component is in the voxel that holds p, or in one within `reach` voxels of p.
+  bool has_near(const Vec3& p, double reach, std::uint32_t component) const {
+    bool has = false;
+    for_each_near(p, reach, [&](const Entry& entry) { has |= entry.component == component; });
+    return has;
+  }
   // Calls visit(number) for the triangles of T in these voxels.
   template <class Visit>
   void for_each_triangle_around(const Vec3& p, Visit&& visit) const {

@@ -261,7 +261,7 @@ BlockGrid grid_at_equal_shares(const SurfaceWork& work) {
       }
     }
   }
-  return {{best[0]->at, best[1]->at, best[2]->at}, work.active()};
+  return BlockGrid({best[0]->at, best[1]->at, best[2]->at});
 }
 
 }  // namespace deliso

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace deliso {
 
-BlockGrid::BlockGrid(const Grid& volume, int side)
-    : surface{volume.first(), volume.first() + volume.voxels()} {
+BlockGrid::BlockGrid(const Grid& volume, int side) {
   for (int axis = 0; axis < 3; ++axis) {
     const int voxels = volume.voxels()[axis], first = volume.first()[axis];
     const int parts = side > 0 ? std::max(1, (voxels + side / 2) / side) : 1;
@@ -18,11 +18,12 @@ BlockGrid::BlockGrid(const Grid& volume, int side)
   }
 }
 
-int BlockGrid::side_at(int axis, std::size_t n) const {
+int BlockGrid::room_at(int axis, std::size_t n) const {
   const std::vector<int>& at = planes[axis];
-  const int before = n == 1 ? std::max(at.front(), surface.begin[axis]) : at[n - 1];
-  const int after = n + 2 == at.size() ? surface.end[axis] : at[n + 1];
-  return std::min(at[n] - before, after - at[n]);
+  int room = std::numeric_limits<int>::max();
+  if (n > 1) room = at[n] - at[n - 1];
+  if (n + 2 < at.size()) room = std::min(room, at[n + 1] - at[n]);
+  return room;
 }
 
 Index3 BlockGrid::cells() const {

@@ -16,21 +16,18 @@ namespace deliso {
 struct BlockGrid {
   // Per axis the planes of samples between which the blocks lie, first and last included.
   std::array<std::vector<int>, 3> planes;
-  // Where the surface is, as far as that is known; else the volume. Boxes at seams follow from it,
-  // not from what lies empty around it.
-  SampleBox surface;
 
   // Cuts the volume into equal parts along each axis, of about `side` voxels; 0: does not cut it.
   BlockGrid(const Grid& volume, int side);
-  BlockGrid(std::array<std::vector<int>, 3> given, const SampleBox& surface_box)
-      : planes(std::move(given)), surface(surface_box) {}
+  explicit BlockGrid(std::array<std::vector<int>, 3> given) : planes(std::move(given)) {}
   // Returns the boxes between neighboring planes: the cells. Rows along x, and layers of rows, are
   // passed back and forth, so each cell but the first shares a face with the one before it, and
   // those of a run that meet at an edge meet at faces, too.
   std::vector<SampleBox> boxes() const;
   Index3 cells() const;  // along each axis
-  // Returns the lesser side of the blocks at inner plane n across an axis, where the surface is.
-  int side_at(int axis, std::size_t n) const;
+  // Returns the distance of inner plane n across an axis from the nearest other inner plane. The
+  // volume's ends do not count: it may be padded.
+  int room_at(int axis, std::size_t n) const;
   bool is_divided() const { return cells() != Index3{1, 1, 1}; }
   Index3 cell_of(Index3 voxel) const;        // by its place in the grid
   std::size_t number_of(Index3 cell) const;  // in the order of boxes()

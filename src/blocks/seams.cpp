@@ -17,7 +17,8 @@
 namespace deliso {
 namespace {
 
-// Half the thickness of the boxes of each round, in samples; at most this share of a block's side.
+// Half the thickness of the boxes of each round, in samples; at most this share of the side of a
+// block between two planes.
 constexpr std::array kHalfSamples{8.0, 12.0, 16.0};
 constexpr std::array kMaxShares{0.25, 0.375, 0.5};
 // Vertices or facets that one task looks at.
@@ -35,7 +36,7 @@ class RoundBoxes {
       ends.push_back(-FreeBox::kFar);
       for (std::size_t n = 1; n + 1 < planes.size(); ++n) {
         const double half =
-            std::min(kHalfSamples[round], kMaxShares[round] * grid_.side_at(axis, n));
+            std::min(kHalfSamples[round], kMaxShares[round] * grid_.room_at(axis, n));
         ends.push_back((planes[n] - half) * spacing);
         ends.push_back((planes[n] + half) * spacing);
       }
