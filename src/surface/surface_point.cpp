@@ -2,6 +2,7 @@
 #include "surface/surface_point.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/triangle.h"
@@ -26,8 +27,10 @@ std::optional<Vec3> SurfacePointFinder::find(const Vec3& a, const Vec3& b, const
   const auto x = nearest(center, normal, limit, counters);
   if (!x || distance(*x, center) <= kMaxTrustedHOverR * distance(center, a)) return x;
   // Far from the circumcenter x may lie on another sheet that faces as the facet does.
-  const auto from_x = [&](const Vec3& corner) { return distance2(corner, *x); };
-  return leads_to(std::ranges::min({a, b, c}, {}, from_x), *x) ? x : std::nullopt;
+  const std::array corners{a, b, c};
+  const Vec3& near = *std::ranges::min_element(
+      corners, {}, [&](const Vec3& corner) { return distance2(corner, *x); });
+  return leads_to(near, *x) ? x : std::nullopt;
 }
 
 std::optional<Vec3> SurfacePointFinder::nearest(const PatchAt& from, const Vec3& normal,
