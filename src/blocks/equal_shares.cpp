@@ -98,7 +98,7 @@ AxisPlanes planes_along(const SurfaceWork& work, int axis, int blocks) {
     SampleBox around = work.all();
     around.begin[axis] = plane - kCell;
     around.end[axis] = plane + kCell;
-    planes.work_cut += work.in(around) / (2 * kCell);
+    planes.work_cut += work.in(around) / (around.end[axis] - around.begin[axis]);
   }
   planes.at.push_back(length);
   return planes;

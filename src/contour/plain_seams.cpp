@@ -90,6 +90,7 @@ void make_seams_plain(ContourMesh& contour, const Volume& block) {
   if (block.inner_faces() == 0 || contour.split_voxels == 0) return;
   const std::vector<Polyline> polylines = close_gaps(contour, block);
   std::vector<std::uint64_t> crossed;
+  crossed.reserve(polylines.size());
   for (const Polyline& polyline : polylines) crossed.push_back(polyline.voxel);
   sort_unique(crossed);
   // No rounding brings a lifted vertex back onto the face.
