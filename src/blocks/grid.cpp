@@ -8,7 +8,7 @@
 
 namespace deliso {
 
-BlockGrid::BlockGrid(const Grid& volume, int side) {
+BlockGrid::BlockGrid(const Grid& volume, int side) : ends_count(true) {
   for (int axis = 0; axis < 3; ++axis) {
     const int voxels = volume.voxels()[axis], first = volume.first()[axis];
     const int parts = side > 0 ? std::max(1, (voxels + side / 2) / side) : 1;
@@ -21,8 +21,8 @@ BlockGrid::BlockGrid(const Grid& volume, int side) {
 int BlockGrid::room_at(int axis, std::size_t n) const {
   const std::vector<int>& at = planes[axis];
   int room = std::numeric_limits<int>::max();
-  if (n > 1) room = at[n] - at[n - 1];
-  if (n + 2 < at.size()) room = std::min(room, at[n + 1] - at[n]);
+  if (n > 1 || ends_count) room = at[n] - at[n - 1];
+  if (n + 2 < at.size() || ends_count) room = std::min(room, at[n + 1] - at[n]);
   return room;
 }
 

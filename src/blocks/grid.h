@@ -16,6 +16,8 @@ namespace deliso {
 struct BlockGrid {
   // Per axis the planes of samples between which the blocks lie, first and last included.
   std::array<std::vector<int>, 3> planes;
+  // True for a grid of equal sides. In one that follows the surface the volume may be padded.
+  bool ends_count = false;
 
   // Cuts the volume into equal parts along each axis, of about `side` voxels; 0: does not cut it.
   BlockGrid(const Grid& volume, int side);
@@ -25,8 +27,8 @@ struct BlockGrid {
   // those of a run that meet at an edge meet at faces, too.
   std::vector<SampleBox> boxes() const;
   Index3 cells() const;  // along each axis
-  // Returns the distance of inner plane n across an axis from the nearest other inner plane. The
-  // volume's ends do not count: it may be padded.
+  // Returns the distance of inner plane n across an axis from the nearest other inner plane, and
+  // from the volume's ends if they count.
   int room_at(int axis, std::size_t n) const;
   bool is_divided() const { return cells() != Index3{1, 1, 1}; }
   Index3 cell_of(Index3 voxel) const;        // by its place in the grid
