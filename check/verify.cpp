@@ -188,8 +188,8 @@ std::vector<std::uint8_t> check_vertices_on_surface(const CleanMesh& mesh,
       if (!on_surface[v]) continue;
       // A vertex that was kept apart may have passed a face between voxels.
       if (exact.voxels.has_near(p, kApartVoxels, compared.match[m])) continue;
-      exact.voxels.for_each_component_at(
-          p, [&](std::uint32_t c) { elsewhere[v] = std::min(elsewhere[v], c); });
+      const std::vector<std::uint32_t> others = exact.voxels.at(p);
+      if (!others.empty()) elsewhere[v] = others.front();
     }
   });
   for (VertexId v = 0; v < off.size(); ++v) {

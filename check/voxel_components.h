@@ -18,13 +18,8 @@ class VoxelComponents {
   // Keeps a reference to the volume. `tolerance`: of points on Sigma, in the scaled frame.
   VoxelComponents(const ContourMesh& contour, const Volume& volume, double tolerance);
 
-  // Calls visit(component) for those in the voxel that holds p, and in those within the tolerance
-  // of p; perhaps more than once.
-  template <class Visit>
-  void for_each_component_at(const Vec3& p, Visit&& visit) const {
-    for_each_near(p, tolerance_voxels_, [&](const Entry& entry) { visit(entry.component); });
-  }
-  // Returns these components, ascending.
+  // Returns the components in the voxel that holds p, and in those within the tolerance of p;
+  // ascending.
   std::vector<std::uint32_t> at(const Vec3& p) const { return near(p, tolerance_voxels_); }
   // The same, of that voxel and its neighbors.
   std::vector<std::uint32_t> around(const Vec3& p) const { return near(p, 1); }

@@ -28,7 +28,7 @@ FaceId WholeMesh::first_met(FaceId from, const Vec3& p, int axis, double end) co
   FaceId met = kNoId;
   // Mostly a facet is near: the line grows until it meets one.
   double size = kFirstCells * cells_.cell();
-  for (bool goes_on = true; goes_on; size *= 2) {
+  for (bool goes_on = true; goes_on && met == kNoId; size *= 2) {
     goes_on = size < whole;
     Vec3 last = p;
     last[axis] = goes_on ? p[axis] + sign * size : end;
@@ -50,7 +50,6 @@ FaceId WholeMesh::first_met(FaceId from, const Vec3& p, int axis, double end) co
       const double at = sign * dot(normals_[f], mesh_.points[t[0]] - p) / facing;
       if (at > 0 && at < nearest) nearest = at, met = f;
     });
-    if (met != kNoId) break;
   }
   return met;
 }

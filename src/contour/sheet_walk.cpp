@@ -30,14 +30,6 @@ Vec3 crossing(const VoxelValues& values, int edge) {
 // come back. A sheet without a fold does not leave it.
 constexpr int kDetourVoxels = 1;
 
-bool is_voxel(const Volume& volume, Index3 at) {
-  bool is_inside = true;
-  for (int axis = 0; axis < 3; ++axis) {
-    is_inside &= 0 <= at[axis] && at[axis] < volume.voxels()[axis];
-  }
-  return is_inside;
-}
-
 int distance_between(Index3 a, Index3 b) {
   return std::abs(a.i - b.i) + std::abs(a.j - b.j) + std::abs(a.k - b.k);
 }
@@ -98,7 +90,7 @@ void SheetWalk::walk_on(const Pieces& from, int piece, int steps, Index3 last) {
     for (int n = from.loops.first[l]; n < from.loops.first[l + 1]; ++n) {
       const Index3 next = voxel_across(from.at, from.loops.face[n]);
       const int left = distance_between(next, last);
-      if (steps + 1 + left > most_steps_ || !is_voxel(volume_, next)) continue;
+      if (steps + 1 + left > most_steps_ || !volume_.has_voxel(next)) continue;
       const int edge = edge_across(from.loops.edge[n], from.loops.face[n]);
       ahead_.push_back({steps + 1, left, next, edge});
       std::ranges::push_heap(ahead_, Step::is_after);
@@ -109,11 +101,13 @@ void SheetWalk::walk_on(const Pieces& from, int piece, int steps, Index3 last) {
 bool SheetWalk::leads(const Vec3& p, const Vec3& q) {
   if (!volume_.box().contains(p)) return true;
   const Index3 first = volume_.voxel_at(p), last = volume_.voxel_at(q);
-  const Pieces begin(volume_, kappa_, first), end(volume_, kappa_, last);
+  const Pieces begin(volume_, kappa_, first);
   if (begin.loops.count == 0) return true;
+  const int from = begin.nearest(volume_, p);
+  if (first == last) return from == begin.nearest(volume_, q);
+  const Pieces end(volume_, kappa_, last);
   if (end.loops.count == 0) return false;
-  const int from = begin.nearest(volume_, p), to = end.nearest(volume_, q);
-  if (first == last) return from == to;
+  const int to = end.nearest(volume_, q);
   most_steps_ = distance_between(first, last) + 2 * kDetourVoxels;
   std::size_t voxels = 1;
   for (int axis = 0; axis < 3; ++axis) {

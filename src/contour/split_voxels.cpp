@@ -25,16 +25,15 @@ VoxelNumbers without(const VoxelNumbers& list, const VoxelNumbers& removed) {
 // Meshes voxels, some of them in cells.
 class SplitMesher final : public ContourSink {
  public:
-  // Keeps a reference to the list of voxels to split.
+  // Keeps references to the volume and to the split.
   SplitMesher(ContourMesh& mesh, const Volume& volume, double kappa, const ContourSplit& split)
       : mesh_(mesh),
         mesher_(mesh, volume, kappa),
         split_(split),
         cells_{Cells(split.usual), Cells(split.factor)},
         seams_(seams_across(split.usual, volume)),
-        dims_(volume.dims()),
-        voxels_(volume.voxels()),
-        inner_faces_(volume.inner_faces()) {
+        grid_(volume),
+        voxels_(volume.voxels()) {
     first_across_y_.resize(voxels_.i, kNoId);
     first_across_z_.resize(first_across_y_.size() * voxels_.j, kNoId);
   }
@@ -65,7 +64,7 @@ class SplitMesher final : public ContourSink {
       }
     }
     if (own != Cut::whole && !cells(own).fine.agrees_with(p.loops, p.tube)) {
-      disagreeing.push_back(voxel_number(dims_, p.voxel));
+      disagreeing.push_back(voxel_number(grid_.dims(), p.voxel));
     }
     if (!disagreeing.empty()) return;
     // Face by face: the low face along x takes the id that the high face leaves for the next voxel.
@@ -76,7 +75,8 @@ class SplitMesher final : public ContourSink {
     bool crowded = true;
     if (own != Cut::whole) {
       mesh_.split_voxels += own == Cut::listed;
-      crowded = mesh_cells(p, cells(own)) || (outer_faces(p.voxel, voxels_) & inner_faces_) != 0;
+      crowded =
+          mesh_cells(p, cells(own)) || (outer_faces(p.voxel, voxels_) & grid_.inner_faces()) != 0;
     } else {
       mesh_beside(p, at);
     }
@@ -107,12 +107,6 @@ class SplitMesher final : public ContourSink {
   using CutFaces = std::array<Cut, 6>;  // of a voxel, as far as Sigma crosses them
   Cells& cells(Cut cut) { return cells_[cut == Cut::listed]; }
 
-  bool is_in_volume(Index3 voxel) const {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (voxel[axis] < 0 || voxel[axis] >= voxels_[axis]) return false;
-    }
-    return true;
-  }
   // Returns the inner faces of a block that the usual cells would cut.
   static unsigned seams_across(Index3 cells, const Volume& block) {
     unsigned faces = 0;
@@ -124,11 +118,12 @@ class SplitMesher final : public ContourSink {
     return faces;
   }
   bool is_in(const VoxelNumbers& list, Index3 voxel) const {
-    return is_in_volume(voxel) && std::ranges::binary_search(list, voxel_number(dims_, voxel));
+    return grid_.has_voxel(voxel) &&
+           std::ranges::binary_search(list, voxel_number(grid_.dims(), voxel));
   }
   Cut cut_of(Index3 voxel) const {
     if (is_in(split_.voxels, voxel)) return Cut::listed;
-    if (split_.usual == Index3{1, 1, 1} || !is_in_volume(voxel) || is_in(split_.whole, voxel) ||
+    if (split_.usual == Index3{1, 1, 1} || !grid_.has_voxel(voxel) || is_in(split_.whole, voxel) ||
         (outer_faces(voxel, voxels_) & seams_) != 0) {
       return Cut::whole;
     }
@@ -233,8 +228,8 @@ class SplitMesher final : public ContourSink {
   const ContourSplit& split_;
   std::array<Cells, 2> cells_;  // usual ones, and those of listed voxels
   const unsigned seams_;        // faces with plain seams
-  Index3 dims_, voxels_;
-  const unsigned inner_faces_;
+  const Grid& grid_;
+  const Index3 voxels_;
   std::vector<ContourId> first_across_y_, first_across_z_;  // first ids on the faces ahead
   ContourId first_across_x_ = kNoId;
   std::vector<BoundarySegment> boundary_;

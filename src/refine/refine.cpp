@@ -31,8 +31,8 @@ constexpr double kMinDelaunayRMins = 0.5;
 
 // Largest circumradius, in longest edges, of a facet near whose circumcenter a point is inserted.
 // That of a flatter one is far from all of the mesh around it, and so may the point be, though its
-// sheet leads there. Of 5,000 random volumes two got such a vertex; 2 to 6 mend both, 10 only one.
-// With 6 none of 17 fields and volumes changes.
+// sheet leads there. Two of 5,000 random volumes got such a vertex. With 2 they do not, with 6 one
+// does.
 constexpr double kMaxRadiusEdges = 2;
 
 // Rounds in which facets are made Delaunay. The first tests all facets, the next those near a

@@ -123,6 +123,10 @@ class Grid {
   double in_samples(const Vec3& p, int axis) const {
     return p[axis] / spacing_[axis] - first_[axis];
   }
+  bool has_voxel(Index3 voxel) const {
+    const auto holds = [](int n, int of) { return 0 <= n && n < of - 1; };
+    return holds(voxel.i, dims_.i) && holds(voxel.j, dims_.j) && holds(voxel.k, dims_.k);
+  }
   // Returns the voxel that holds p, clamped to the box.
   Index3 voxel_at(const Vec3& p) const;
 

@@ -510,25 +510,24 @@ class TestMesh(TestCase):
 
         def interrupt():
             began.wait()
-            times.append(time.monotonic())
+            times.append(time.process_time())
             os.kill(os.getpid(), signal.SIGINT)
 
         a = noise(48)
         threading.Thread(target=interrupt).start()
         with self.assertRaises(KeyboardInterrupt):
             deliso.mesh(a, 0.5, progress=lambda stage, share: share > 0.01 and began.set())
-        self.assertLess(time.monotonic() - times[0], 5)
+        # Processor time, which a busy machine does not lengthen: the rest takes 15 seconds of it.
+        self.assertLess(time.process_time() - times[0], 4)
         self.assertGreater(len(deliso.mesh(field(), 10.25).vertices), 100)
 
     def test_interrupt_while_a_file_is_read(self):
-        # Nobody writes into the pipe, so reading waits.
+        # Nobody writes into the pipe, so reading waits: without the signal, for ever.
         path = self.path("pipe.nrrd")
         os.mkfifo(path)
         threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
-        began = time.monotonic()
         with self.assertRaises(KeyboardInterrupt):
             deliso.mesh(path, 1)
-        self.assertLess(time.monotonic() - began, 5)
         open(path, "wb").close()
         for thread in threading.enumerate():
             if thread.name == "deliso":

@@ -234,10 +234,11 @@ class TestParts(TestCase):
             os.kill(os.getpid(), signal.SIGINT)
 
         threading.Thread(target=interrupt).start()
-        start = time.monotonic()
+        # Processor time, which a busy machine does not lengthen: the whole takes 15 seconds of it.
+        start = time.process_time()
         with self.assertRaises(KeyboardInterrupt):
             deliso.mesh_blocks(noise, 0.5, progress=lambda stage, share: began.set())
-        self.assertLess(time.monotonic() - start, 5)
+        self.assertLess(time.process_time() - start, 4)
 
 
 class TestPools(TestCase):

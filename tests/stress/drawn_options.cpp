@@ -235,7 +235,10 @@ Words command_words(const std::string& file, double isovalue, const Words& optio
   words.insert(words.end(), options.begin(), options.end());
   const bool is_part =
       std::ranges::any_of(options, [](const auto& word) { return word.starts_with("--part"); });
-  if (is_part) words.emplace_back("--output=v.part");
+  if (is_part) {
+    take_report_options(words);
+    words.emplace_back("--output=v.part");
+  }
   return words;
 }
 
