@@ -37,9 +37,8 @@ Index3 reach_of(const FieldOptions& options, const Grid& shape) {
 }
 
 // Returns the samples of a volume of this size that the part needs.
-Roi region_of_part(const CommandLine& line, Index3 dims, const Vec3& spacing) {
-  if (line.field.of_labels() || !line.options.components.is_all()) return {{0, 0, 0}, dims};
-  const Grid shape(dims, spacing, SampleType::u8);
+Roi region_of_part(const CommandLine& line, const Grid& shape) {
+  if (line.field.of_labels() || !line.options.components.is_all()) return {{0, 0, 0}, shape.dims()};
   const SampleBox blocks = box_of_part(shape, line.options, *line.part);
   const SampleBox box = grown(blocks, reach_of(line.field, shape), shape.voxels());
   return {box.begin, {box.end.i + 1, box.end.j + 1, box.end.k + 1}};
@@ -51,9 +50,7 @@ ReadOptions reading_of_part(const CommandLine& line) {
   ReadOptions read = line.read;
   read.as_labels = may_be_labels(line);
   if (!read.roi) {
-    read.region = [&](Index3 dims, const Vec3& spacing) {
-      return region_of_part(line, dims, spacing);
-    };
+    read.region = [&](const Grid& whole) { return region_of_part(line, whole); };
   }
   return read;
 }
@@ -108,6 +105,7 @@ PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::
   const Grid& shape = field.source.shape;
   part.dims = shape.dims();
   part.spacing = shape.spacing();
+  part.places = shape.all_places();
   part.type = shape.type();
   part.frame = shape.frame();
   part.isovalue = isovalue;

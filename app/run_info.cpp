@@ -20,7 +20,7 @@ Vec3 middle_of(const Info& info) {
   if (const auto& components = info.contour.components; !components.empty()) {
     const ContourComponent& largest =
         *std::ranges::max_element(components, {}, &ContourComponent::crossings);
-    box = {volume.position(largest.lo), volume.position(largest.hi) + volume.spacing()};
+    box = {volume.position(largest.lo), volume.position(corner_of(largest.hi, 7))};
   }
   return box.middle();
 }

@@ -18,7 +18,7 @@ namespace {
 Vec3 normal_at(const Vec3& p, const Volume& around, const Box3& box) {
   Vec3 falls;
   for (int axis = 0; axis < 3; ++axis) {
-    const double half = around.spacing()[axis] / 2;
+    const double half = around.sides(around.voxel_at(p))[axis] / 2;
     Vec3 low = p, high = p;
     low[axis] = std::max(p[axis] - half, box.lo[axis]);
     high[axis] = std::min(p[axis] + half, box.hi[axis]);

@@ -52,8 +52,7 @@ VolumeSource volume_of(const deliso_source* given) {
                          begin[2], ":", end[2], "] of the array cannot be read");
       }
     }
-    return Volume(dims, shape.spacing(), shape.type(), samples->data(), samples, shape.frame())
-        .as_block(box.begin, shape.dims());
+    return Volume(shape.part(box.begin, dims), samples->data(), samples);
   };
   return {shape, read};
 }

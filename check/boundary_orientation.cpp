@@ -50,7 +50,8 @@ int edge_axis(const Vec3& p, const Volume& volume, double tolerance) {
   int axis = 0;
   while ((faces >> (2 * axis) & 3) != 0) ++axis;
   const double u = volume.in_samples(p, axis);
-  return std::fabs(u - std::round(u)) * volume.spacing()[axis] > tolerance ? axis : -1;
+  const double side = volume.sides(volume.voxel_at(p))[axis];
+  return std::fabs(u - std::round(u)) * side > tolerance ? axis : -1;
 }
 
 // Returns 1 if the curve passes the edge of the box between the samples around p, and the inside

@@ -144,7 +144,7 @@ bool has_triangle_near(const std::vector<Vec3>& points, std::span<const Triangle
 }
 
 double near_distance(const Grid& volume) {
-  return kNearVoxels * volume.voxel();
+  return kNearVoxels * volume.least_voxel();
 }
 
 ClosePlaces find_close_places(const std::vector<Vec3>& points, std::span<const Triangle> triangles,

@@ -22,11 +22,11 @@ namespace {
 
 constexpr std::size_t kMaxVoters = 64;
 
-std::string box_text(const Box3& box, const Vec3& spacing) {
+std::string box_text(const Box3& box, const Grid& grid) {
   const auto range = [&](int axis) {
     const auto rounded = [](double u) { return std::round(100 * u) / 100; };
-    return text(rounded(box.lo[axis] / spacing[axis]), " to ",
-                rounded(box.hi[axis] / spacing[axis]));
+    return text(rounded(grid.in_all_samples(box.lo, axis)), " to ",
+                rounded(grid.in_all_samples(box.hi, axis)));
   };
   return text("voxels x ", range(0), ", y ", range(1), ", z ", range(2));
 }
@@ -90,8 +90,7 @@ std::vector<std::uint32_t> match_components(const CleanMesh& mesh,
   const Volume& volume = exact.surface.volume();
   // Of several components the nearest decides, in voxels along each axis: spacings may be very
   // unequal.
-  const Vec3 spacing = volume.spacing();
-  const auto in_voxels = [&](const Vec3& p) { return divided(p, spacing); };
+  const auto in_voxels = [&](const Vec3& p) { return volume.in_all_samples(p); };
   const auto nearest_component = [&](const std::vector<Vec3>& voters) {
     std::vector<std::uint32_t> facing, others;
     for (const Vec3& p : voters) {
@@ -110,7 +109,7 @@ std::vector<std::uint32_t> match_components(const CleanMesh& mesh,
       });
       if (component == kNoId) continue;
       const Vec3 g = volume.gradient(p);
-      (dot(normal, times(g, spacing)) < 0 ? facing : others).push_back(component);
+      (dot(normal, times(g, volume.sides(volume.voxel_at(p)))) < 0 ? facing : others).push_back(component);
     }
     return most_frequent(facing.empty() ? others : facing);
   };
@@ -132,7 +131,6 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ExactSurface&
   const ContourMesh& contour = exact.contour;
   const Volume& volume = exact.surface.volume();
   const std::size_t count = mesh.broken.size();
-  const Vec3 spacing = volume.spacing();
   const MeshTopology& topology = mesh.topology;
   std::vector<std::vector<VertexId>> vertices(count);
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
@@ -159,7 +157,7 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ExactSurface&
     faults.add(
         FaultKind::extra_components,
         text("the component of vertex ", vertices[m][0], " (", c.faces, " triangles, ",
-             topology_text(c.euler(), c.boundary_loops), ", ", box_text(c.box, spacing),
+             topology_text(c.euler(), c.boundary_loops), ", ", box_text(c.box, volume),
              stands_for[m] == kNoId ? std::string(") is near no component of the surface")
                                     : text(") is a further one on component ", stands_for[m])),
         c.box.middle());
@@ -180,7 +178,7 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ExactSurface&
     const ContourComponent& x = components[e];
     const Box3 box = box_of(x, volume);
     const std::string name =
-        text("component ", e, " of the surface (", box_text(box, spacing), ")");
+        text("component ", e, " of the surface (", box_text(box, volume), ")");
     const std::uint32_t m = stand_in[e];
     if (m == kNoId) {
       if (!result.kept[e]) continue;

@@ -10,8 +10,8 @@ namespace deliso {
 
 VoxelComponents::VoxelComponents(const ContourMesh& contour, const Volume& volume, double tolerance)
     : volume_(volume) {
-  const Vec3 spacing = volume.spacing();
-  tolerance_voxels_ = tolerance / std::min({spacing.x, spacing.y, spacing.z});
+  const Vec3 least = volume.least_spacing();
+  tolerance_voxels_ = tolerance / std::min({least.x, least.y, least.z});
   for (std::uint32_t n = 0; n < contour.triangles.size(); ++n) {
     const auto& t = contour.triangles[n];
     const Vec3 middle = (contour.points[t[0]] + contour.points[t[1]] + contour.points[t[2]]) / 3;

@@ -374,8 +374,7 @@ Volume LabelFields::weighted(std::int64_t label) {
       samples[at] = static_cast<float>(weight * static_cast<double>(s[at]));
     }
   });
-  const Grid like(of.dims(), samples_.volume.spacing(), SampleType::f32, samples_.volume.frame());
-  return volume_of(std::move(samples), like).as_block(of.first, samples_.volume.dims());
+  return volume_of(std::move(samples), samples_.volume.part(of.first, of.dims()));
 }
 
 double inside_volume(const Volume& field, int threads) {

@@ -157,10 +157,8 @@ Volume label_indicator(const Segmentation& samples_of, std::span<const std::int6
       }
     });
   });
-  Frame frame = volume.frame();
-  frame.origin = frame.to_world(volume.position(first));
   const Bytes bytes = bytes_of(std::move(buffer), {});
-  return {dims, volume.spacing(), SampleType::u8, bytes.data.data(), bytes.owner, frame};
+  return {volume.cropped(first, dims).of_type(SampleType::u8), bytes.data.data(), bytes.owner};
 }
 
 }  // namespace deliso

@@ -106,6 +106,7 @@ void pass(Archive& a, PartFile& part, std::vector<Triangle>& triangles, std::vec
   a.list(part.words, [&](std::string& word) { pass(a, word); });
   pass(a, part.dims);
   pass(a, part.spacing);
+  for (std::vector<double>& along : part.places) pass_numbers(a, along);
   a(part.type);
   pass(a, part.frame.origin);
   for (Vec3& axis : part.frame.axes) pass(a, axis);
@@ -188,11 +189,12 @@ void link_chain(SurfaceMesh& s, std::vector<Place> places, std::string_view name
 }  // namespace
 
 Grid PartFile::shape() const {
-  return {dims, spacing, type, frame};
+  return Grid(dims, spacing, type, frame).with_places(places, name);
 }
 
 bool PartFile::is_of(const Grid& field, double level) const {
-  return dims == field.dims() && spacing == field.spacing() && type == field.type() &&
+  return dims == field.dims() && spacing == field.spacing() &&
+         places == field.all_places() && type == field.type() &&
          frame == field.frame() && isovalue == level;
 }
 

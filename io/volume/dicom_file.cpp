@@ -56,6 +56,10 @@ constexpr std::pair<std::uint32_t, std::size_t> kMoments[] = {
     {0x00180081, 2}, {0x00189082, 2}, {0x00189087, 3}, {0x00200012, 4},
     {0x00209156, 4}, {0x00080032, 5}, {0x00080033, 6}, {0x00200013, 7}};
 
+// AcquisitionDate and ContentDate, which come before the times; their places in a moment.
+constexpr std::array<std::uint32_t, 2> kDays = {0x00080022, 0x00080023};
+constexpr std::size_t kTimes = 5;
+
 // The elements of an image that are texts, and those that are numbers of 16 bits.
 constexpr std::pair<std::uint32_t, std::string DicomFile::*> kStrings[] = {
     {kSeries, &DicomFile::series},
@@ -311,8 +315,14 @@ class DicomParser {
     } else if (element.tag == kIntercept) {
       plane.intercept = numbers_at(element, "RescaleIntercept", 1)[0];
     }
+    for (std::size_t n = 0; n < kDays.size(); ++n) {
+      if (element.tag == kDays[n]) plane.days[n] = moment_at(element).value_or(0);
+    }
     for (const auto& [tag, n] : kMoments) {
-      if (element.tag == tag) plane.moment[n] = moment_at(element);
+      if (element.tag != tag) continue;
+      plane.moment[n] = moment_at(element);
+      constexpr double kDay = 1e6;  // behind HHMMSS
+      if (plane.moment[n] && n >= kTimes && n < kTimes + kDays.size()) *plane.moment[n] += kDay * plane.days[n - kTimes];
     }
   }
 

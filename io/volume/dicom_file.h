@@ -37,6 +37,9 @@ struct DicomPlane {
   std::optional<double> location{};                 // SliceLocation
   std::optional<double> slope{}, intercept{};
   DicomMoment moment{};
+  // The days of AcquisitionTime and ContentTime, as YYYYMMDD; 0 where not given. The times of
+  // `moment` are counted with them, so that they go on after midnight.
+  std::array<double, 2> days{};
 
   std::optional<double> instance_number() const { return moment.back(); }
 

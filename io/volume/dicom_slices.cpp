@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "io/files/text_scan.h"
@@ -14,21 +15,19 @@
 namespace deliso {
 namespace {
 
-// The errors of a slice's place, in steps: the largest with which slices are read as they are, and
-// the largest without a note. Places are written with about three decimals, so they are not even to
-// the last digit.
-constexpr double kUnevenSteps = 0.1, kNotedSteps = 0.005;
+// The errors of a slice's place, in steps: the largest aside of the line of all slices, and the
+// largest along it of even ones. Places are written with about three decimals, so they are not even
+// to the last digit.
+constexpr double kMostAside = 0.1, kUnevenSteps = 0.005;
 
 // A wider gap, in usual ones, lacks a slice, unless there are several in a row: then slices lie
 // that far apart from there on.
 constexpr double kWideGap = 1.5;
 constexpr std::size_t kWideGapsInRow = 3;
 
-// A shift over the whole stack, in samples: below it slices are upright.
-constexpr double kUprightShift = 0.5;
-
-// Uneven slices are resampled with their smallest gap, but not to more than this many for each.
-constexpr double kMostForSlice = 4;
+// Places that scatter by a length about a line come from slices whose whole shift may be an error of
+// this many such lengths.
+constexpr double kShiftOfScatter = 2;
 
 std::string base_name(const DicomFile& file) {
   return std::filesystem::path(file.name()).filename().string();
@@ -149,6 +148,16 @@ void place(std::vector<DicomSlice>& slices, PlacedBy by, const VolumeInput& inpu
   std::ranges::stable_sort(slices, {}, &DicomSlice::height);
 }
 
+// True if all slices have an InstanceNumber, each its own.
+bool have_own_numbers(const std::vector<DicomSlice>& slices) {
+  std::set<double> numbers;
+  for (const DicomSlice& slice : slices) {
+    const std::optional<double> number = slice.plane().instance_number();
+    if (!number || !numbers.insert(*number).second) return false;
+  }
+  return true;
+}
+
 // Returns all frames of all files, in the order of their places.
 std::vector<DicomSlice> sorted_slices(const VolumeInput& input,
                                       const std::vector<DicomFile>& files) {
@@ -176,83 +185,85 @@ std::vector<DicomSlice> sorted_slices(const VolumeInput& input,
       return slices;
     }
   }
-  std::ranges::stable_sort(slices, {}, [](const DicomSlice& slice) {
-    return std::pair(slice.plane().instance_number(), with_long_numbers(slice.file->name()));
+  const bool are_numbered = have_own_numbers(slices);
+  std::ranges::stable_sort(slices, {}, [&](const DicomSlice& slice) {
+    return std::pair(are_numbered ? slice.plane().instance_number() : std::nullopt,
+                     with_long_numbers(slice.file->name()));
   });
   input.note("has no positions of its slices: they are read in the order of their ",
-             slices[0].plane().instance_number() ? "InstanceNumber" : "files' names");
+             are_numbered ? "InstanceNumber" : "files' names");
   place(slices, PlacedBy::order, input, undirected);
   return slices;
 }
 
-// Refuses slices of which some are missing.
-void require_all_slices(const std::vector<DicomSlice>& slices, const std::vector<double>& gaps) {
+// Warns of slices that seem to be missing.
+void find_missing_slices(const VolumeInput& input, const std::vector<DicomSlice>& slices,
+                         const std::vector<double>& gaps) {
   const double usual = usual_distance(slices);
   for (std::size_t begin = 0, end = 0; begin < gaps.size(); begin = end + 1) {
     for (end = begin; end < gaps.size() && gaps[end] > kWideGap * usual;) ++end;
     if (begin == end || end - begin >= kWideGapsInRow) continue;
     const DicomSlice& here = slices[begin + 1];
-    fail(here.name(), "slices are missing before it: it lies ", rounded_length(gaps[begin]),
-         ", where others have ", rounded_length(usual), ", from ",
-         name_beside(here, slices[begin]));
+    input.note("slices seem to be missing before '", here.name(), "': it lies ",
+               rounded_length(gaps[begin]), ", where others have ", rounded_length(usual), ", from ",
+               name_beside(here, slices[begin]), "; the mesh has nothing of what they show");
   }
 }
 
-// Makes the third step upright if the shift over the whole stack is that of positions that are
-// rounded in the file: below half a sample, or below the largest error that they have anyway.
-void straighten(SampleGrid& grid, const Vec3& whole, double error) {
+// Makes the third step upright if the shift over the whole stack may be an error of positions that
+// are rounded in the file. A tilt that they all follow stays. `scatter`: their largest distance
+// from the line through the first one and the last.
+void straighten(const VolumeInput& input, SampleGrid& grid, const Vec3& whole, double scatter) {
   Vec3 upright = grid.steps[2];
-  bool is_right_angled = true;
+  double largest = 0;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const Vec3 side = grid.steps[axis], direction = side / length(side);
-    const double shift = std::abs(dot(whole, direction));
-    if (shift > std::max(kUprightShift * length(side), error)) return;
-    if (shift > kShearTolerance * length(whole)) is_right_angled = false;
+    const Vec3 direction = grid.steps[axis] / length(grid.steps[axis]);
+    largest = std::max(largest, std::abs(dot(whole, direction)));
     upright = upright - dot(upright, direction) * direction;
   }
-  if (!is_right_angled) grid.steps[2] = upright;
+  if (largest <= kShearTolerance * length(whole) || largest > kShiftOfScatter * scatter) return;
+  grid.steps[2] = upright;
+  input.note("the last slice is shifted by ", rounded_length(largest),
+             " against the first, as much as positions scatter: the stack is read upright");
 }
 
-// Sets the step from a slice to the next. Notes slices that are a little uneven, and sets the
-// places of those that are more so.
+// Sets the step from a slice to the next, and the places of slices that are uneven.
 void set_step(DicomStack& stack, const VolumeInput& input) {
   const std::vector<DicomSlice>& slices = stack.slices;
   const std::vector<double> gaps = gaps_between(slices);
-  require_all_slices(slices, gaps);
+  if (!input.options.spacing) find_missing_slices(input, slices, gaps);
   const Vec3 begin = slices[0].position, whole = slices.back().position - begin;
   const double height = slices.back().height - slices[0].height;
   const double count = static_cast<double>(gaps.size());
-  double worst = 0;
+  double worst = 0, scatter = 0;
+  std::vector<double> places;
   for (std::size_t n = 0; n < slices.size(); ++n) {
     const double share = (slices[n].height - slices[0].height) / height;
+    places.push_back(share * length(whole));
     const double aside = distance(slices[n].position, begin + share * whole);
-    if (aside > kUnevenSteps * length(whole) / count) {
+    scatter = std::max(scatter, aside);
+    if (aside > kMostAside * length(whole) / count) {
       fail(slices[n].name(), "lies ", rounded_length(aside),
            " aside of the line through the first slice and the last");
     }
-    worst = std::max(worst,
-                     distance(slices[n].position, begin + static_cast<double>(n) / count * whole));
+    const double even = static_cast<double>(n) / count * length(whole);
+    worst = std::max(worst, std::abs(places.back() - even));
   }
   SampleGrid& grid = stack.grid;
-  const bool is_even = worst <= kUnevenSteps * length(whole) / count;
-  if (is_even || input.options.spacing) {
-    grid.steps[2] = whole / count;
-    if (worst > kNotedSteps * length(grid.steps[2])) {
-      input.note("slices lie up to ", rounded_length(worst), " from the even steps of ",
-                 rounded_length(length(grid.steps[2])),
-                 input.options.spacing ? ", and are read as they are, by --spacing"
-                                       : " with which they are read");
-    }
-  } else {
-    const double steps =
-        std::round(std::min(height / std::ranges::min(gaps), kMostForSlice * count));
-    grid.steps[2] = whole / steps;
-    grid.dims[2] = static_cast<std::int64_t>(steps) + 1;
-    for (const DicomSlice& slice : slices) {
-      stack.places.push_back((slice.height - slices[0].height) / height * steps);
-    }
+  grid.steps[2] = whole / count;
+  straighten(input, grid, whole, scatter);
+  const double step = length(grid.steps[2]);
+  if (worst <= kUnevenSteps * step) return;
+  if (input.options.spacing) {
+    input.note("slices lie up to ", rounded_length(worst), " from even steps of ",
+               rounded_length(step), ", and are read as even, by --spacing");
+    return;
   }
-  straighten(grid, whole, worst);
+  const auto [least, most] = std::ranges::minmax(gaps);
+  input.note("slices are uneven, from ", rounded_length(least), " to ", rounded_length(most),
+             " apart, and stay so: a voxel is as long as the distance of its slices");
+  const double upright = step * count / length(whole);
+  for (const double place : places) grid.places[2].push_back(place * upright);
 }
 
 }  // namespace
@@ -280,7 +291,7 @@ DicomStack stack_of(const VolumeInput& input, const std::vector<DicomFile>& file
   }
   set_step(stack, input);
   grid.origin = lowest.position;
-  if (given.directions) grid.space = AnatomicalSpace::lps;
+  if (given.position && given.directions) grid.space = AnatomicalSpace::lps;
   if (!given.position || !given.directions) {
     const char* missing = given.position     ? "orientation"
                           : given.directions ? "position"

@@ -40,14 +40,11 @@ std::string name_beside(const DicomSlice& slice, const DicomSlice& other);
 
 struct DicomStack {
   std::vector<DicomSlice> slices;
-  // With as many slices as are read, which may be resampled: as even ones, and upright.
   SampleGrid grid;
-  // Of each slice along z, in samples of the grid, if they are uneven; else none.
-  std::vector<double> places;
 };
 
 // Returns the slices of these files, which are of one series. Throws InputError if they make no
-// volume, as with one of them missing, and notes what is not as it should be.
+// volume, and notes what is not as it should be.
 DicomStack stack_of(const VolumeInput& input, const std::vector<DicomFile>& files);
 
 }  // namespace deliso

@@ -15,10 +15,8 @@
 #include "io/volume/dicom_file.h"
 #include "io/volume/dicom_series.h"
 #include "io/volume/dicom_slices.h"
-#include "io/volume/even_volume.h"
 #include "io/volume/sample_grid.h"
 #include "io/volume/scaled_samples.h"
-#include "io/volume/upright_volume.h"
 #include "io/volume/volume_formats.h"
 
 namespace deliso {
@@ -87,7 +85,7 @@ Volume read_slices(const VolumeInput& input, const std::vector<DicomFile>& files
   if (files.size() == 1 && first.frame_count == 1) {
     fail(first.name(), "is one slice: give the folder that holds the series");
   }
-  const auto [slices, grid, places] = stack_of(input, files);
+  const auto [slices, grid] = stack_of(input, files);
   std::uint64_t stored = 0;
   for (const DicomFile& file : files) stored += file.bytes.size();
   input.options.budget.require(input.name(), stored, data_size(grid));
@@ -95,19 +93,7 @@ Volume read_slices(const VolumeInput& input, const std::vector<DicomFile>& files
   if (first.photometric == "MONOCHROME1") {
     input.note("is MONOCHROME1: small samples are shown bright; they are kept as stored");
   }
-  const SampleGrid upright = upright_grid(grid);
-  const bool is_even = places.empty(), is_upright = upright.steps[2] == grid.steps[2];
-  // What the user wants of the volume is done last.
-  SampleGrid whole = upright;
-  if (!is_even || !is_upright) whole.read = {};
-  whole.dims[2] = static_cast<std::int64_t>(slices.size());
-  Volume volume = volume_of_slices(input, files, slices, whole);
-  if (!is_even) {
-    whole.dims[2] = grid.dims[2];
-    if (is_upright) whole.read = grid.read;
-    volume = resampled_evenly(input, whole, places, volume);
-  }
-  return is_upright ? volume : resampled_upright(input, grid, volume);
+  return volume_of_slices(input, files, slices, grid);
 }
 
 }  // namespace

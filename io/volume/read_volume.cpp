@@ -105,6 +105,9 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
 
 void note_place(const VolumeInput& input) {
   if (input.options.spacing) input.note("the spacing is that of --spacing, whatever the file says");
+  if (input.options.coordinates != Coordinates()) {
+    input.note("the coordinates are those of --coordinates, whatever the file says");
+  }
   if (input.options.origin) input.note("the origin is that of --origin, whatever the file says");
 }
 
@@ -226,6 +229,25 @@ Index3 parse_dims(std::string_view text) {
     dims[axis] = *n;
   }
   return dims;
+}
+
+Coordinates read_coordinates(const std::string& path) {
+  const Bytes bytes = open_file(path);
+  TextCursor lines(bytes.text());
+  Coordinates coordinates;
+  while (!lines.at_end()) {
+    const std::string_view line = trimmed(lines.line());
+    if (line.empty() || line[0] == '#') continue;
+    const std::size_t axis = std::string_view("xyz").find(line[0]);
+    const std::optional<std::vector<double>> numbers = to_doubles(line.substr(1));
+    if (axis == std::string_view::npos || !numbers || numbers->size() < 2) {
+      fail(path, "has a line that is no x, y or z with two or more numbers: ",
+           quote(line.substr(0, 40)));
+    }
+    if (!coordinates[axis].empty()) fail(path, "has the coordinates along ", line[0], " twice");
+    coordinates[axis] = *numbers;
+  }
+  return coordinates;
 }
 
 StoredType parse_sample_type(std::string_view text) {

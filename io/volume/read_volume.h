@@ -94,18 +94,21 @@ struct RawLayout {
   std::uint64_t skip = 0;  // bytes before the first sample
 };
 
-using RegionOf = std::function<Roi(Index3 dims, const Vec3& spacing)>;
+using RegionOf = std::function<Roi(const Grid& whole)>;
 
 struct ReadOptions {
   std::optional<RawLayout> raw;  // if given, the input is plain raw data, with any name
   std::optional<Roi> roi;        // if given, only these samples are read; the origin moves along
-  // If given, only the region that it returns for the volume's size and spacing is read, as a block
-  // of the whole (Grid::as_block). Not with a roi.
+  // If given, only the region that it returns for the whole volume is read, as a part of it
+  // (Grid::part). Not with a roi.
   RegionOf region{};
   std::optional<std::string> array{};     // which of a VTK file's arrays, by its name
   std::optional<std::uint64_t> series{};  // which of a DICOM folder's series, from 1 on
   // Along the file's axes, and of its first sample; else the file's own, or 1,1,1 and 0,0,0.
   std::optional<Vec3> spacing{}, origin{};
+  // Of the samples along an axis, where they are given: in place of the file's spacing and, along
+  // this axis, of its origin. They increase, as many as there are samples (read_coordinates).
+  Coordinates coordinates{};
   // The patient's space that the world is turned to; unknown: the file's own.
   AnatomicalSpace space = AnatomicalSpace::unknown;
   // Which of several volumes in a file, counted from 1.
@@ -173,6 +176,9 @@ std::vector<NamedSegment> read_segments(const std::string& path);
 // short", "float", ...).
 Roi parse_roi(std::string_view text);
 Index3 parse_dims(std::string_view text);
+// Returns the coordinates in a text file: a line "x", "y" or "z" and the numbers along it, for each
+// axis that has them. Throws InputError with the file's name.
+Coordinates read_coordinates(const std::string& path);
 StoredType parse_sample_type(std::string_view text);
 
 // Returns the type of that name, in any format's spelling; nullopt if it is unknown or unsupported.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// VTK's XML format for images ("VTK File Formats", XML formats; ImageData with one piece).
-// io/files/vtk_xml.h has the markup and the arrays.
+// VTK's XML formats for images and rectilinear grids ("VTK File Formats", XML formats; ImageData or
+// RectilinearGrid with one piece). io/files/vtk_xml.h has the markup and the arrays.
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/text.h"
+#include "io/files/field_reader.h"
 #include "io/files/text_scan.h"
 #include "io/files/vtk_xml.h"
 #include "io/volume/foreign_formats.h"
@@ -16,15 +17,19 @@
 namespace deliso {
 namespace {
 
+constexpr std::string_view kRectilinear = "RectilinearGrid", kCoordinates = "Coordinates";
+
 class VtiParser {
  public:
-  explicit VtiParser(const VolumeInput& input)
-      : input_(input), grid_(grid_of(input)), xml_(input.bytes, "ImageData", "can be meshed") {}
+  // `kind`: of the data set, which the file names.
+  VtiParser(const VolumeInput& input, std::string_view kind)
+      : input_(input), grid_(grid_of(input)), kind_(kind), xml_(input.bytes, kind, "can be meshed") {}
 
   Volume run() {
     grid_.byte_order = xml_.byte_order();
     const XmlTag array = read_structure();
     const std::uint64_t size = data_size(grid_);
+    if (kind_ == kRectilinear) read_coordinates();
     if (xml_.is_text(array)) return volume_from_text(grid_, xml_.inside(array), false);
     return volume_from_raw(grid_, xml_.binary(array, size, describe(grid_)));
   }
@@ -68,6 +73,34 @@ class VtiParser {
     }
   }
 
+  // Reads the places of samples along each axis.
+  void read_coordinates() {
+    if (coordinates_.size() != 3) {
+      fail(input_.name(), "has ", coordinates_.size(), " arrays of coordinates, not three");
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const XmlTag& array = coordinates_[static_cast<std::size_t>(axis)];
+      const std::string what = text("the coordinates along ", "xyz"[axis]);
+      const auto count = static_cast<std::uint64_t>(grid_.dims[static_cast<std::size_t>(axis)]);
+      std::vector<double>& places = grid_.places[static_cast<std::size_t>(axis)];
+      const StoredType type = supported_type(input_, array.attribute("type").value_or(""));
+      if (xml_.is_text(array)) {
+        places = to_doubles(xml_.inside(array).text()).value_or(std::vector<double>());
+      } else if (type.wide == StoredType::Wide::no) {
+        with_type(type.type, [&]<class T>(T) {
+          const Bytes data = xml_.binary(array, count * sizeof(T), what);
+          const FieldReader values(data.data, xml_.byte_order());
+          for (std::size_t at = 0; at < data.size(); at += sizeof(T)) {
+            places.push_back(static_cast<double>(values.get<T>(at)));
+          }
+        });
+      }
+      if (places.size() != count) fail(input_.name(), what, " are not ", count, " numbers");
+      const double first = grid_.origin[axis] = places[0];
+      for (double& place : places) place -= first;
+    }
+  }
+
   // Reads the markup: the image, its piece, its arrays. Returns the array to read.
   XmlTag read_structure() {
     std::string_view active;  // the array that PointData names
@@ -77,16 +110,19 @@ class VtiParser {
     bool has_cells = false;
     int pieces = 0;
     for (XmlTag tag = xml_.next(); !tag.name.empty(); tag = xml_.next()) {
-      if (tag.name == "ImageData") {
-        read_image(tag);
+      if (tag.name == kind_) {
+        if (kind_ != kRectilinear) read_image(tag);
         read_extent(tag, "WholeExtent");
       } else if (tag.name == "Piece") {
         if (++pieces > 1)
           fail(input_.name(), "has several pieces: ", conversion_by_vtk(kVtkXmlReader));
         if (tag.attribute("Extent")) read_extent(tag, "Extent");
-      } else if (tag.name.ends_with("Data") && !tag.name.starts_with('/')) {
+      } else if ((tag.name.ends_with("Data") && !tag.name.starts_with('/')) ||
+                 tag.name == kCoordinates) {
         section = tag.name;
         if (section == "PointData") active = tag.attribute("Scalars").value_or("");
+      } else if (tag.name == "DataArray" && section == kCoordinates) {
+        coordinates_.push_back(tag);
       } else if (tag.name == "DataArray" && section == "CellData") {
         has_cells = true;
       } else if (tag.name == "DataArray" && section == "PointData") {
@@ -96,7 +132,9 @@ class VtiParser {
                           xml_.count(tag, "NumberOfComponents", 1)});
       }
     }
-    for (std::size_t a = 0; a < 3; ++a) grid_.origin = grid_.origin + start_[a] * grid_.steps[a];
+    for (std::size_t a = 0; a < 3 && kind_ != kRectilinear; ++a) {
+      grid_.origin = grid_.origin + start_[a] * grid_.steps[a];
+    }
     if (arrays.empty() && has_cells) refuse_cells(input_.name(), kVtkXmlReader);
     const std::size_t chosen = choose_array(input_, std::move(arrays), active);
     grid_.type = supported_type(input_, tags[chosen].attribute("type").value_or(""));
@@ -105,8 +143,10 @@ class VtiParser {
 
   const VolumeInput& input_;
   SampleGrid grid_;
+  std::string_view kind_;
   VtkXml xml_;
   std::array<double, 3> start_{};  // the first sample's index
+  std::vector<XmlTag> coordinates_;
 };
 
 }  // namespace
@@ -119,18 +159,18 @@ Volume read_vti(const VolumeInput& input) {
   const XmlTag file = next_tag(input.bytes.text(), 0);
   const std::string_view type = file.attribute("type").value_or("");
   const std::string_view compressor = file.attribute("compressor").value_or("");
-  if (type.ends_with("Grid")) {
+  if (type == "PImageData" || type == "PRectilinearGrid") {
+    fail(input.name(), "lists pieces: ", conversion_by_vtk(kVtkXmlReader));
+  }
+  if (type.ends_with("Grid") && type != kRectilinear) {
     fail(input.name(), "is a VTK file of type ", quote(type), ": ",
          conversion_by_vtk(kVtkXmlReader, kVtkResample));
   }
-  if (type == "PImageData") {
-    fail(input.name(), "lists pieces: ", conversion_by_vtk(kVtkXmlReader));
-  }
-  if (type == "ImageData" && !compressor.empty() && compressor != "vtkZLibDataCompressor") {
+  if ((type == "ImageData" || type == kRectilinear) && !compressor.empty() && compressor != "vtkZLibDataCompressor") {
     fail(input.name(), "is compressed by ", quote(compressor), ": ",
          conversion_by_vtk(kVtkXmlReader));
   }
-  return VtiParser(input).run();
+  return VtiParser(input, type == kRectilinear ? kRectilinear : "ImageData").run();
 }
 
 }  // namespace deliso

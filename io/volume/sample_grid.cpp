@@ -34,17 +34,27 @@ std::optional<std::string> shear_of(const Frame& frame) {
   return std::nullopt;
 }
 
-// Splits the steps into spacing and unit axes. What the options give is in place of the file's own,
-// which may then be missing or bad.
-std::pair<Vec3, Frame> place(const SampleGrid& grid) {
+// Returns the whole grid: steps become spacing and unit axes. What the options give is in place of
+// the file's own, which may then be missing or bad.
+Grid whole_grid(const SampleGrid& grid) {
   Vec3 spacing;
   Frame frame;
+  Coordinates places;
   frame.origin = grid.read.origin.value_or(grid.origin);
   const bool is_directed = has_directions(grid);
   if (is_directed) frame.space = grid.space;
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3 step = grid.steps[static_cast<std::size_t>(axis)];
-    const double own = length(step), s = grid.read.spacing ? (*grid.read.spacing)[axis] : own;
+    const std::vector<double>& given = grid.read.coordinates[static_cast<std::size_t>(axis)];
+    if (!given.empty()) {
+      for (const double at : given) places[axis].push_back(at - given[0]);
+      if (!grid.read.origin) frame.origin[axis] = given[0];
+    } else if (!grid.read.spacing) {
+      places[axis] = grid.places[static_cast<std::size_t>(axis)];
+    }
+    const double own = length(step);
+    double s = grid.read.spacing ? (*grid.read.spacing)[axis] : own;
+    if (places[axis].size() > 1) s = std::max(median_gap(places[axis]), kSmallestSpacing);
     if (!(s > 0)) {
       fail(grid.name, "spacing along ", "xyz"[axis], " is not positive",
            grid.is_of_file && !grid.read.spacing ? kGiveSpacing : "");
@@ -57,20 +67,22 @@ std::pair<Vec3, Frame> place(const SampleGrid& grid) {
          grid.is_of_file && !grid.read.origin ? kGiveOrigin : "");
   }
   require_in_range(grid.size(), spacing, frame, grid.name);
+  const Grid whole =
+      Grid(grid.size(), spacing, grid.type, frame).with_places(std::move(places), grid.name);
   const auto& [u, v, w] = frame.axes;
   if (!(std::abs(dot(cross(u, v), w)) >= kLeastDeterminant)) {
     fail(grid.name, "sheared grid: its axes are too near to one plane",
          shear_of(frame).value_or(""), ": resample it");
   }
-  return {spacing, frame};
+  return whole;
 }
 
 // Returns the region of the grid to keep, as checked index ranges.
-Roi region(const SampleGrid& grid, const Vec3& spacing) {
+Roi region(const SampleGrid& grid, const Grid& at) {
   const Roi whole{{0, 0, 0}, grid.size()};
   if (grid.read.region) {
     try {
-      return grid.read.region(whole.end, spacing);
+      return grid.read.region(at);
     } catch (const InputError& error) {
       fail(grid.name, error.what());
     }
@@ -209,8 +221,8 @@ Bytes data_behind(const SampleGrid& grid, const Bytes& data, std::int64_t skip, 
 }
 
 Grid grid_of_volume(const SampleGrid& grid) {
-  auto [spacing, frame] = place(grid);
-  if (const auto shear = shear_of(frame); shear && grid.log) {
+  const Grid whole = whole_grid(grid);
+  if (const auto shear = shear_of(whole.frame()); shear && grid.log) {
     grid.log->notes.push_back(
         one_line(text(grid.name, ": sheared grid", *shear,
                       ": its mesh has the right shape, but D, angles and "
@@ -221,14 +233,9 @@ Grid grid_of_volume(const SampleGrid& grid) {
         text(grid.name,
              ": an axis of it has no direction: all are taken as x, y, z, in no known space")));
   }
-  const Roi roi = region(grid, spacing);
-  if (grid.read.roi) {
-    frame.origin =
-        frame.to_world({roi.begin.i * spacing.x, roi.begin.j * spacing.y, roi.begin.k * spacing.z});
-  }
+  const Roi roi = region(grid, whole);
   const Index3 dims{roi.end.i - roi.begin.i, roi.end.j - roi.begin.j, roi.end.k - roi.begin.k};
-  const Grid read(dims, spacing, grid.type, frame);
-  return grid.read.region ? read.as_block(roi.begin, grid.size()) : read;
+  return grid.read.roi ? whole.cropped(roi.begin, dims) : whole.part(roi.begin, dims);
 }
 
 Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
@@ -236,7 +243,7 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
   if (data.size() != expected) fail(data.name, size_fault(grid, expected, data.size()));
   const Grid read = grid_of_volume(grid);
   const Index3 dims = read.dims();
-  const Roi roi = region(grid, read.spacing());
+  const Roi roi = region(grid, read.whole());
   const SampleGrid::Among alone = places_alone(grid), at = grid.among.value_or(alone);
   const bool whole_slices =
       dims.i == grid.dims[0] && dims.j == grid.dims[1] && at.steps == alone.steps;
@@ -302,8 +309,7 @@ Volume volume_from_slices(
     const SampleGrid& grid,
     const std::function<void(std::size_t k, std::span<std::byte> out)>& write_slice) {
   const std::size_t size = static_cast<std::size_t>(data_size(grid));
-  const Vec3 spacing = place(grid).first;  // a fault of the geometry is found before the work
-  const Roi roi = region(grid, spacing);
+  const Roi roi = region(grid, whole_grid(grid));  // a fault of the geometry is found before the work
   const std::size_t slice = size / static_cast<std::size_t>(grid.dims[2]);
   // Not initialized: the system gives memory to the pages that are written.
   Buffer buffer(size);

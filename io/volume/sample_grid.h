@@ -41,6 +41,9 @@ struct SampleGrid {
   // World position of sample (0,0,0), and the step between samples along each file axis.
   Vec3 origin{0, 0, 0};
   std::array<Vec3, 3> steps{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  // Of samples along an axis whose steps are not even, from the first one, in the steps' unit of
+  // length; the step then has the direction alone.
+  Coordinates places{};
   AnatomicalSpace space = AnatomicalSpace::unknown;
 
   // The place of a grid in data that holds more, counted in samples: sample (i, j, k) is
@@ -64,12 +67,6 @@ struct SampleGrid {
 // Ends of messages about a place that is missing or bad: which option gives it.
 inline constexpr const char *kGiveSpacing = ": --spacing SX,SY,SZ gives it",
                             *kGiveOrigin = ": --origin X,Y,Z gives it";
-
-// Returns the type of values between samples of this one: float32 if it holds the samples.
-inline SampleType type_of_interpolated(SampleType type) {
-  const bool is_small = size_of(type) <= 2 || type == SampleType::f32;
-  return is_small ? SampleType::f32 : SampleType::f64;
-}
 
 // True if all steps have a length, and so a direction. Without one a spacing must be given, and the
 // axes are the world's.

@@ -594,7 +594,7 @@ void keep_small(const Sheets& sheets, IdArray<VertexId, std::uint8_t>& kept) {
 // Marks the vertices in the voxels of facets of `changed` at fault.
 void keep_near(std::span<const FaceId> faults, const Sheets& changed, const Sheets& before,
                double voxels_around, const Grid& shape, IdArray<VertexId, std::uint8_t>& kept) {
-  const Vec3 margin = voxels_around * shape.spacing();
+  const Vec3 margin = voxels_around * shape.least_spacing();
   std::vector<std::uint64_t> voxels;
   for (const FaceId f : faults) {
     const auto& [a, b, c] = changed.facets[f.number()].v;

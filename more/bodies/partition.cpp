@@ -96,8 +96,7 @@ Volume Partition::difference(std::array<BodyId, 2> bodies, const SampleBox& box)
     for (unsigned m = 0; m < 8; ++m) {
       if (((m >> axis & 1) != 0) == is_high) samples[m] = -kWithin;
     }
-    return Volume::from_samples({2, 2, 2}, shape_.spacing(), samples, shape_.frame())
-        .as_block(of.begin, shape_.dims());
+    return Volume::from_samples(shape_.part(of.begin, {2, 2, 2}), samples);
   }
   const Index3 n = of.dims();
   std::vector<float> samples(static_cast<std::size_t>(n.i) * static_cast<std::size_t>(n.j) *
@@ -125,8 +124,7 @@ Volume Partition::difference(std::array<BodyId, 2> bodies, const SampleBox& box)
       }
     });
   }
-  return Volume::from_samples(n, shape_.spacing(), samples, shape_.frame())
-      .as_block(of.begin, shape_.dims());
+  return Volume::from_samples(shape_.part(of.begin, n), samples);
 }
 
 std::optional<Vec3> Partition::step_to_tie(const Vec3& p, std::span<const BodyId> bodies,

@@ -57,7 +57,7 @@ Regions::Regions(const Grid& shape, int side, int shift) : shape_(shape) {
       const int from = static_cast<int>(std::int64_t{voxels[axis]} * k / n),
                 to = static_cast<int>(std::int64_t{voxels[axis]} * (k + 1) / n);
       const double at = from + 0.25 * shift * (to - from);
-      if (n > 1 && at > 0) planes.push_back(at * shape.spacing()[axis]);
+      if (n > 1 && at > 0) planes.push_back(shape.at_samples(at, axis));
     }
     planes.push_back(shape.box().hi[axis]);
   }
@@ -88,8 +88,8 @@ SampleBox Regions::samples(std::size_t region) const {
   const Box3 box = this->box(region);
   SampleBox samples;
   for (int axis = 0; axis < 3; ++axis) {
-    samples.begin[axis] = static_cast<int>(std::lround(box.lo[axis] / shape_.spacing()[axis]));
-    samples.end[axis] = static_cast<int>(std::lround(box.hi[axis] / shape_.spacing()[axis]));
+    samples.begin[axis] = static_cast<int>(std::lround(shape_.in_all_samples(box.lo, axis)));
+    samples.end[axis] = static_cast<int>(std::lround(shape_.in_all_samples(box.hi, axis)));
   }
   return samples;
 }

@@ -186,7 +186,7 @@ Block PartInBlocks::welded(const RunInput& run) {
     for_each_task(run.options.threads, blocks_.size(),
                   [&](std::size_t n) { mark_seam_work(blocks_[n]); });
   }
-  Block whole = weld(blocks_, run.source.shape.spacing(), [&](Index3 voxel) {
+  Block whole = weld(blocks_, run.source.shape, [&](Index3 voxel) {
     return !own_.holds(grid_.number_of(grid_.cell_of(voxel)));
   });
   whole.report[Counter::components_skipped] = skipped_;
@@ -217,7 +217,7 @@ Block join_parts(const RunInput& run, std::vector<Block> parts) {
     if (with_cells.size() > 1) skipped = 0;
   }
   begin_stage(run.parameters.observer, "weld");
-  Block whole = weld(with_cells, run.source.shape.spacing(), nullptr);
+  Block whole = weld(with_cells, run.source.shape, nullptr);
   require_closed(whole, run.source.shape.box());
   return refined_at_seams(run, grid, std::move(whole), [&](std::span<const std::size_t> box) {
     return std::ranges::any_of(box,

@@ -31,14 +31,13 @@ class RoundBoxes {
   RoundBoxes(const BlockRun& run, std::size_t round) : grid_(run.grid), round_(round) {
     for (int axis = 0; axis < 3; ++axis) {
       const std::vector<int>& planes = grid_.planes[axis];
-      const double spacing = run.source.shape.spacing()[axis];
       std::vector<double>& ends = ends_[axis];
       ends.push_back(-FreeBox::kFar);
       for (std::size_t n = 1; n + 1 < planes.size(); ++n) {
         const double half =
             std::min(kHalfSamples[round], kMaxShares[round] * grid_.room_at(axis, n));
-        ends.push_back((planes[n] - half) * spacing);
-        ends.push_back((planes[n] + half) * spacing);
+        ends.push_back(run.source.shape.at_samples(planes[n] - half, axis));
+        ends.push_back(run.source.shape.at_samples(planes[n] + half, axis));
       }
       ends.push_back(FreeBox::kFar);
     }
@@ -121,12 +120,14 @@ class RoundBoxes {
 SampleBox samples_around(const BlockRun& run, const FreeBox& free_box) {
   SampleBox box;
   const Index3 last = run.source.shape.voxels();
-  const Vec3 spacing = run.source.shape.spacing();
   for (int axis = 0; axis < 3; ++axis) {
-    const double high = last[axis];
-    const auto clamped = [&](double at) { return static_cast<int>(std::clamp(at, 0.0, high)); };
-    box.begin[axis] = clamped(std::floor(free_box.lo[axis] / spacing[axis]) - kSeamMarginSamples);
-    box.end[axis] = clamped(std::ceil(free_box.hi[axis] / spacing[axis]) + kSeamMarginSamples);
+    const auto clamped = [&](double at) {
+      return static_cast<int>(std::clamp<double>(at, 0, last[axis]));
+    };
+    const double low = run.source.shape.in_all_samples(free_box.lo, axis),
+                 high = run.source.shape.in_all_samples(free_box.hi, axis);
+    box.begin[axis] = clamped(std::floor(low) - kSeamMarginSamples);
+    box.end[axis] = clamped(std::ceil(high) + kSeamMarginSamples);
   }
   return box;
 }

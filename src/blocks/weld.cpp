@@ -29,12 +29,12 @@ struct OuterRun {
 
 // Returns the voxel on the other side of the block's inner face that has arc i of the loop.
 Index3 voxel_beyond(const Block& block, const BoundaryLoop& loop, std::size_t i,
-                    const Vec3& spacing) {
+                    const Grid& shape) {
   const Vec3 middle = 0.5 * (loop[i].point + loop[(i + 1) % loop.size()].point);
   const BoxFace face = loop[i].face;
   Index3 voxel;
   for (int axis = 0; axis < 3; ++axis) {
-    voxel[axis] = std::clamp(static_cast<int>(middle[axis] / spacing[axis]), block.box.begin[axis],
+    voxel[axis] = std::clamp(static_cast<int>(shape.in_all_samples(middle, axis)), block.box.begin[axis],
                              block.box.end[axis] - 1);
   }
   const int across = axis_of(face);
@@ -42,7 +42,7 @@ Index3 voxel_beyond(const Block& block, const BoundaryLoop& loop, std::size_t i,
   return voxel;
 }
 
-std::vector<OuterRun> outer_runs(const std::vector<Block>& blocks, const Vec3& spacing,
+std::vector<OuterRun> outer_runs(const std::vector<Block>& blocks, const Grid& shape,
                                  const IsElsewhere& is_elsewhere) {
   std::vector<OuterRun> runs;
   for (std::uint32_t b = 0; b < blocks.size(); ++b) {
@@ -53,7 +53,7 @@ std::vector<OuterRun> outer_runs(const std::vector<Block>& blocks, const Vec3& s
       std::vector<std::uint8_t> welded;
       const std::size_t n = loops[l].size();
       const auto has_neighbor = [&](std::size_t i) {
-        return !is_elsewhere || !is_elsewhere(voxel_beyond(blocks[b], loops[l], i, spacing));
+        return !is_elsewhere || !is_elsewhere(voxel_beyond(blocks[b], loops[l], i, shape));
       };
       for (std::size_t i = 0; i < n; ++i) {
         welded.push_back(loops[l][i].is_fixed && has_neighbor(i));
@@ -75,8 +75,8 @@ std::vector<OuterRun> outer_runs(const std::vector<Block>& blocks, const Vec3& s
 
 class Welder {
  public:
-  Welder(std::vector<Block>& blocks, const Vec3& spacing, const IsElsewhere& is_elsewhere)
-      : blocks_(blocks), runs_(outer_runs(blocks, spacing, is_elsewhere)) {}
+  Welder(std::vector<Block>& blocks, const Grid& shape, const IsElsewhere& is_elsewhere)
+      : blocks_(blocks), runs_(outer_runs(blocks, shape, is_elsewhere)) {}
 
   Block weld() {
     join_loops();
@@ -292,12 +292,12 @@ class Welder {
 
 }  // namespace
 
-Block weld(std::vector<Block>& blocks, const Vec3& spacing, const IsElsewhere& is_elsewhere) {
+Block weld(std::vector<Block>& blocks, const Grid& shape, const IsElsewhere& is_elsewhere) {
   if (blocks.size() == 1) {
     if (!blocks[0].loops) blocks[0].loops = std::make_shared<const BoundaryLoops>();
     return std::move(blocks[0]);
   }
-  return Welder(blocks, spacing, is_elsewhere).weld();
+  return Welder(blocks, shape, is_elsewhere).weld();
 }
 
 }  // namespace deliso

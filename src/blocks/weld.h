@@ -19,6 +19,6 @@ using IsElsewhere = std::function<bool(Index3 voxel)>;
 
 // Returns the blocks as one. Empties them. Their order is that of the result's vertices and facets.
 // pre: there is a block; the work at seams is marked.
-Block weld(std::vector<Block>& blocks, const Vec3& spacing, const IsElsewhere& is_elsewhere);
+Block weld(std::vector<Block>& blocks, const Grid& shape, const IsElsewhere& is_elsewhere);
 
 }  // namespace deliso

@@ -27,7 +27,7 @@ constexpr int kMostAttempts = 6;
 std::vector<std::uint8_t> voxels_at(std::span<const FaceId> facets, const TriMesh& mesh,
                                     const Volume& volume) {
   constexpr double kMarginVoxels = 0.1;
-  const Vec3 margin = kMarginVoxels * volume.spacing();
+  const Vec3 margin = kMarginVoxels * volume.least_spacing();
   const auto number = [&](Index3 at) { return voxel_number(volume.dims(), at); };
   std::vector<std::uint8_t> is_marked(facets.empty() ? 0 : number({0, 0, volume.voxels().k}));
   for (const FaceId f : facets) {

@@ -102,7 +102,7 @@ Index3 cells_of_long_voxels(const Vec3& spacing) {
 }
 
 ContourMesh fine_contour(ContourMesh&& begun, const Volume& volume, double kappa, Index3 cells) {
-  const Vec3 spacing = volume.spacing();
+  const Vec3 spacing = volume.spacing(), least = volume.least_spacing();
   const double shortest = std::min({spacing.x, spacing.y, spacing.z});
   const std::size_t vertices = begun.points.size();
   ContourSplit split;
@@ -123,7 +123,7 @@ ContourMesh fine_contour(ContourMesh&& begun, const Volume& volume, double kappa
                             split.voxels.size(), vertices);
     contour = build_contour(volume, kappa, split);
   }
-  if (contour.split_voxels > 0 && perturb_coincident(contour, kPerturbationVoxels * shortest)) {
+  if (contour.split_voxels > 0 && perturb_coincident(contour, kPerturbationVoxels * std::min({least.x, least.y, least.z}))) {
     contour.crossed_voxels = crossed_voxels(contour, {});
   }
   return contour;

@@ -39,7 +39,6 @@ class PieceMesher final : public ContourSink {
       : mesh_(mesh),
         volume_(volume),
         kappa_(kappa),
-        spacing_(volume.spacing()),
         dims_(volume.dims()),
         first_(volume.first()) {}
 
@@ -90,7 +89,7 @@ class PieceMesher final : public ContourSink {
   // Adds a vertex at p, in voxels. Its component is that of the first piece given with it.
   ContourId add_at(const Vec3& p, std::uint8_t box_faces, std::uint32_t label = kNoId) {
     if (mesh_.points.size() >= kNoId) throw InputError("the contour has 2^32 vertices or more");
-    mesh_.points.push_back(times(p, spacing_));
+    mesh_.points.push_back(volume_.at_samples(p));
     mesh_.box_faces.push_back(box_faces);
     mesh_.component.push_back(label);
     return ContourId(mesh_.points.size() - 1);
@@ -132,7 +131,7 @@ class PieceMesher final : public ContourSink {
     std::array<Vec3, 6> points;
     for (std::size_t i = 0; i < n; ++i) points[i] = mesh_.points[loop[i]];
     const auto after = [&](std::size_t i, std::size_t k) { return i + k < n ? i + k : i + k - n; };
-    const Vec3 size = times(frame.size, spacing_);
+    const Vec3 size = sides_of(frame);
     const Vec3 scale{1 / size.x, 1 / size.y, 1 / size.z};
     std::size_t from = 0;
     double least = std::numeric_limits<double>::infinity();
@@ -224,13 +223,17 @@ class PieceMesher final : public ContourSink {
   // Return coordinates in the cell.
   Vec3 local(const CellFrame& cell, ContourId v) const { return local(cell, mesh_.points[v]); }
   Vec3 local(const CellFrame& cell, const Vec3& p) const {
-    return divided(divided(p, spacing_) - cell.low, cell.size);
+    return divided(volume_.in_all_samples(p) - cell.low, cell.size);
+  }
+  Vec3 sides_of(const CellFrame& cell) const {
+    return volume_.is_even()
+               ? times(cell.size, volume_.spacing())
+               : volume_.at_samples(cell.low + cell.size) - volume_.at_samples(cell.low);
   }
 
   ContourMesh& mesh_;
   const Volume& volume_;
   double kappa_;
-  Vec3 spacing_;
   Index3 dims_, first_;
   std::size_t first_triangle_ = 0;
 };

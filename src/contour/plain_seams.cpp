@@ -2,7 +2,6 @@
 #include "contour/plain_seams.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -22,11 +21,9 @@ namespace {
 constexpr double kLeastLiftVoxels = 5e-14, kLiftStep = 0.1;
 
 // True if p lies on an edge of the grid: at a sample's place along two axes or more.
-bool is_on_grid_edge(const Vec3& p, const Vec3& spacing) {
+bool is_on_grid_edge(const Vec3& p, const Grid& grid) {
   int on_planes = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    on_planes += std::round(p[axis] / spacing[axis]) * spacing[axis] == p[axis];
-  }
+  for (int axis = 0; axis < 3; ++axis) on_planes += grid.is_on_plane(p, axis);
   return on_planes >= 2;
 }
 
@@ -46,7 +43,7 @@ std::vector<Polyline> close_gaps(ContourMesh& contour, const Volume& block) {
     const auto vertex = [&](std::size_t k) { return all[k % all.size()]; };
     const auto goes = [&](std::size_t k) {
       return (block.inner_faces() & contour.box_faces[vertex(k)]) != 0 &&
-             !is_on_grid_edge(contour.points[vertex(k)], block.spacing());
+             !is_on_grid_edge(contour.points[vertex(k)], block);
     };
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (goes(k)) continue;
@@ -95,9 +92,9 @@ void make_seams_plain(ContourMesh& contour, const Volume& block) {
   sort_unique(crossed);
   // No rounding brings a lifted vertex back onto the face.
   const double rounding = std::numeric_limits<double>::epsilon() * sum_of_sizes(block.box().hi);
-  const double least = std::max(kLeastLiftVoxels * block.voxel(), rounding);
-  for (double distance = kPerturbationVoxels * block.voxel(); distance > least && !crossed.empty();
-       distance *= kLiftStep) {
+  const double least = std::max(kLeastLiftVoxels * block.least_voxel(), rounding);
+  for (double distance = kPerturbationVoxels * block.least_voxel();
+       distance > least && !crossed.empty(); distance *= kLiftStep) {
     for (const Polyline& polyline : polylines) {
       if (std::ranges::binary_search(crossed, polyline.voxel)) {
         lift(polyline, distance, contour, block.box());

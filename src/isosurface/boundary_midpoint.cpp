@@ -44,6 +44,10 @@ class FaceLine {
   double next_grid_line(double t) const {
     double next = std::numeric_limits<double>::infinity();
     for (const int axis : {axis_u(), axis_v()}) {
+      if (const double* places = volume_.places(axis)) {
+        next = std::min(next, next_place(places, axis, t));
+        continue;
+      }
       const double d = direction_[axis] / volume_.spacing()[axis];
       if (d == 0) continue;
       const double at = grid(axis, 0);
@@ -58,6 +62,17 @@ class FaceLine {
     return next;
   }
 
+  // The same along an axis of uneven steps.
+  double next_place(const double* places, int axis, double t) const {
+    const double d = direction_[axis];
+    int n = gap_at(places, volume_.dims()[axis], from_[axis] + t * d) + (d > 0 ? 1 : 0);
+    for (; d != 0 && 0 <= n && n < volume_.dims()[axis]; n += d > 0 ? 1 : -1) {
+      const double candidate = (places[n] - from_[axis]) / d;
+      if (candidate > t) return candidate;
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
   // Returns the first root in [low, high], which lies in one pixel.
   std::optional<double> root_between(double low, double high) const {
     const double middle = 0.5 * (low + high);
@@ -69,7 +84,7 @@ class FaceLine {
       const int last = volume_.dims()[axis] - 2;
       corner[axis] = std::clamp(static_cast<int>(std::floor(grid(axis, middle))), 0, last);
       start[n] = grid(axis, low) - corner[axis];
-      slope[n] = direction_[axis] / volume_.spacing()[axis];
+      slope[n] = direction_[axis] / volume_.sides(corner)[axis];
       ++n;
     }
     const auto value = [&](int du, int dv) {

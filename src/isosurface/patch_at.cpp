@@ -16,14 +16,14 @@ constexpr double kBeyond = std::numeric_limits<double>::infinity();
 }  // namespace
 
 PatchAt::PatchAt(const Isosurface& surface, const Vec3& p)
-    : PatchAt(surface, p, surface.units().point(p),
-              surface.units().voxel_at(surface.units().point(p))) {}
+    : PatchAt(surface, p, surface.units().local(p)) {}
 
-PatchAt::PatchAt(const Isosurface& surface, const Vec3& p, const Vec3& u, Index3 voxel)
+PatchAt::PatchAt(const Isosurface& surface, const Vec3& p, const VoxelUnits::Local& at)
     : surface_(surface),
       p_(p),
-      patch_(surface.volume().corners(voxel, surface.kappa())),
-      u_(u - to_vec3(voxel)) {
+      patch_(surface.volume().corners(at.voxel, surface.kappa())),
+      per_side_(at.per_side),
+      u_(at.u) {
   for (int axis = 0; axis < 3; ++axis) {
     room_[axis] = std::min(u_[axis], 1 - u_[axis]);  // negative outside of the box
     u_[axis] = std::clamp(u_[axis], 0.0, 1.0);
@@ -55,7 +55,7 @@ double PatchAt::parameter_along(const Vec3& direction, double limit,
 // Sigma, and the cubic is monotone on them: then there is just that one. Or it holds all points
 // within the limit, and they are too few for the cubic to become 0.
 std::optional<double> PatchAt::parameter_within(const Vec3& direction, double limit) const {
-  const Vec3 w = surface_.units().vector(direction);
+  const Vec3 w = times(direction, per_side_);
   const TrilinearPatch::Cubic f = patch_.along(u_, value_, slope_, w);
   const auto holds = [&](double d) {
     return std::fabs(w.x) * d < room_.x && std::fabs(w.y) * d < room_.y &&

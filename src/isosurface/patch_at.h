@@ -18,7 +18,7 @@ class PatchAt {
 
   const Vec3& point() const { return p_; }
   // Returns the gradient of g at the point, clamped to the box.
-  Vec3 gradient() const { return surface_.units().vector(slope_); }
+  Vec3 gradient() const { return times(slope_, per_side_); }
 
   // Returns what Isosurface::nearest() returns from the point, but for rounding.
   std::optional<Hit> nearest(const Vec3& direction, double limit, SearchCounters& counters) const;
@@ -29,14 +29,14 @@ class PatchAt {
   double parameter_along(const Vec3& direction, double limit, SearchCounters& counters) const;
 
  private:
-  // `u`: the point in units of voxels; `voxel` holds it.
-  PatchAt(const Isosurface& surface, const Vec3& p, const Vec3& u, Index3 voxel);
+  PatchAt(const Isosurface& surface, const Vec3& p, const VoxelUnits::Local& at);
   std::optional<double> parameter_within(const Vec3& direction, double limit) const;
 
   const Isosurface& surface_;
   Vec3 p_;
   TrilinearPatch patch_;
-  // In units of voxels. `u_` lies in the voxel; `room_`: from the point to the voxel's nearer face.
+  Vec3 per_side_;  // of the voxel
+  // In units of the voxel. `u_` lies in the voxel; `room_`: from the point to the voxel's nearer face.
   Vec3 u_, room_;
   double value_;  // less kappa
   Vec3 slope_;

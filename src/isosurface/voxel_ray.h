@@ -60,14 +60,13 @@ inline double parameter_at(const VoxelSpan& span, double s) {
 // Returns the point at fraction s (scaled frame), in the voxel. It comes from the voxel's own
 // coordinates, not from the parameter, so that g stays at kappa even where t is large.
 inline Vec3 point_at(const VoxelSpan& span, double s, const Volume& volume) {
-  const Vec3 spacing = volume.spacing();
-  const Index3 first = volume.first();
-  const auto along = [s](int n, double u0, double u1, double size) {
-    return (n + greater(smaller(u0 + s * (u1 - u0), 1.0), 0.0)) * size;
+  const Index3 voxel = volume.first() + span.voxel;
+  const auto along = [s](int n, double u0, double u1) {
+    return n + greater(smaller(u0 + s * (u1 - u0), 1.0), 0.0);
   };
-  return {along(first.i + span.voxel.i, span.u0.x, span.u1.x, spacing.x),
-          along(first.j + span.voxel.j, span.u0.y, span.u1.y, spacing.y),
-          along(first.k + span.voxel.k, span.u0.z, span.u1.z, spacing.z)};
+  return volume.at_samples(Vec3{along(voxel.i, span.u0.x, span.u1.x),
+                                  along(voxel.j, span.u0.y, span.u1.y),
+                                  along(voxel.k, span.u0.z, span.u1.z)});
 }
 
 }  // namespace deliso

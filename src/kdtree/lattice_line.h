@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A line among voxels, and the walk along it (Amanatides and Woo 1987, with an exact order).
 //
-// Units: voxels; sample (i,j,k) lies at (i,j,k). All decisions compare parameters at which the line
+// Units: voxels; sample (i,j,k) lies at (i,j,k). Along an axis of uneven steps the unit is that of
+// the scaled frame, and a table has the planes. All decisions compare parameters at which the line
 // crosses lattice planes. One formula gives these parameters. So every way of cutting the line
 // (kd-tree nodes, a walk, clipping single voxels) finds the same pieces bit by bit.
 //   L1  at_plane(axis, n) is monotone in n, rounding included: a difference and a product with a
@@ -50,6 +51,9 @@ inline VoxelSpan reversed(const VoxelSpan& span) {
   return {span.voxel, -span.t1, -span.t0, span.u1, span.u0};
 }
 
+// The places of the planes along each axis of uneven steps, else null (Grid::places).
+using Planes = std::array<const double*, 3>;
+
 // The voxels lo .. hi-1 along each axis.
 struct VoxelBox {
   std::array<int, 3> lo, hi;
@@ -58,9 +62,10 @@ struct VoxelBox {
 class LatticeLine {
  public:
   // The line origin + t * direction, in voxel units, among `voxels` voxels. Components of the
-  // direction too small to invert count as zero.
-  LatticeLine(const Vec3& origin, const Vec3& direction, Index3 voxels)
+  // direction too small to invert count as zero. Keeps the pointers to planes.
+  LatticeLine(const Vec3& origin, const Vec3& direction, Index3 voxels, const Planes& planes = {})
       : voxels_{voxels.i, voxels.j, voxels.k},
+        planes_(planes),
         origin_{origin.x, origin.y, origin.z},
         direction_{direction.x, direction.y, direction.z},
         base_(origin_) {
@@ -77,9 +82,7 @@ class LatticeLine {
       }
       // Parallel to the planes. base_ becomes the middle of the line's layer of voxels. Then
       // at_plane puts all planes below it at minus infinity and all above at plus infinity.
-      const double top = voxels_[axis];
-      const double o = std::clamp(origin_[axis], -1.0, top + 1);
-      base_[axis] = (o == top ? top - 1 : std::floor(o)) + 0.5;
+      base_[axis] = middle_of_layer(axis);
       direction_[axis] = 0;
       inverse_[axis] = std::numeric_limits<double>::infinity();
       ahead_[axis] = 1;
@@ -105,7 +108,7 @@ class LatticeLine {
   // Returns the parameter where the line crosses plane number `plane` across `axis`; infinite if
   // parallel.
   double at_plane(std::size_t axis, int plane) const {
-    return (plane - base_[axis]) * inverse_[axis];
+    return (place_of(axis, plane) - base_[axis]) * inverse_[axis];
   }
   // Returns 1 if indices along `axis` grow with t, else 0.
   int ahead(std::size_t axis) const { return ahead_[axis]; }
@@ -125,15 +128,19 @@ class LatticeLine {
     return range;
   }
   bool starts_inside() const {
-    return valid_ && 0 <= origin_[0] && origin_[0] <= voxels_[0] && 0 <= origin_[1] &&
-           origin_[1] <= voxels_[1] && 0 <= origin_[2] && origin_[2] <= voxels_[2];
+    const auto is_within = [&](std::size_t axis) {
+      return place_of(axis, 0) <= origin_[axis] && origin_[axis] <= place_of(axis, voxels_[axis]);
+    };
+    return valid_ && is_within(0) && is_within(1) && is_within(2);
   }
 
   // Returns the index along `axis`, in lo .. hi-1, of the voxel that holds the line just after t.
   // The position gives a guess; the crossings correct it (L2). pre: t is in the range of lo .. hi.
   int index_after(std::size_t axis, double t, int lo, int hi) const {
     const double position = origin_[axis] + t * direction_[axis];
-    int n = static_cast<int>(greater(smaller(position, hi - 1.0), lo));
+    int n = planes_[axis]
+                ? lo + gap_at(planes_[axis] + lo, hi - lo + 1, position)
+                : static_cast<int>(greater(smaller(position, hi - 1.0), lo));
     const int step = 2 * ahead_[axis] - 1;
     while (leave(axis, n) <= t && lo <= n + step && n + step < hi) n += step;
     while (enter(axis, n) > t && lo <= n - step && n - step < hi) n -= step;
@@ -143,8 +150,9 @@ class LatticeLine {
   Index3 voxel_after_origin() const {
     const auto index = [&](std::size_t axis) {
       // A line that runs down from a plane begins in the voxel below it.
-      const int n = static_cast<int>(origin_[axis]);
-      const int below = ahead_[axis] == 0 && origin_[axis] == n;
+      const int n = planes_[axis] ? gap_at(planes_[axis], voxels_[axis] + 1, origin_[axis])
+                                  : static_cast<int>(origin_[axis]);
+      const int below = ahead_[axis] == 0 && origin_[axis] == place_of(axis, n);
       return std::max(std::min(n - below, voxels_[axis] - 1), 0);
     };
     return {index(0), index(1), index(2)};
@@ -157,20 +165,23 @@ class LatticeLine {
 
   // Returns the piece of `range` in the voxel; empty if there is none.
   VoxelSpan span(Index3 voxel, Range range) const {
-    const std::array<double, 3> n = {static_cast<double>(voxel.i), static_cast<double>(voxel.j),
-                                     static_cast<double>(voxel.k)};
-    std::array<double, 3> in, out;
+    const std::array<int, 3> n = {voxel.i, voxel.j, voxel.k};
+    std::array<double, 3> low, high, in, out;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      in[axis] = ((n[axis] + entry_side_[axis]) - base_[axis]) * inverse_[axis];
-      out[axis] = ((n[axis] + exit_side_[axis]) - base_[axis]) * inverse_[axis];
+      low[axis] = place_of(axis, n[axis]);
+      high[axis] = place_of(axis, n[axis] + 1);
+      const std::array<double, 2> ends = {high[axis], low[axis]};
+      in[axis] = (ends[ahead_[axis]] - base_[axis]) * inverse_[axis];
+      out[axis] = (ends[1 - ahead_[axis]] - base_[axis]) * inverse_[axis];
     }
     const double t0 = greater(greater(in[0], in[1]), greater(in[2], range.lo));
     const double t1 = smaller(smaller(out[0], out[1]), smaller(out[2], range.hi));
     // On the planes the coordinates are exact (L3).
     const auto at = [&](std::size_t axis, double t, bool on_plane, double side) {
       const double along = origin_[axis] + t * direction_[axis];
-      const double within = greater(smaller(along, n[axis] + 1), n[axis]);
-      const std::array<double, 2> either = {within - n[axis], side};
+      double within = greater(smaller(along, high[axis]), low[axis]) - low[axis];
+      if (planes_[axis]) within /= high[axis] - low[axis];
+      const std::array<double, 2> either = {within, side};
       return either[on_plane];
     };
     const auto entry = [&](std::size_t axis) {
@@ -183,6 +194,22 @@ class LatticeLine {
   }
 
  private:
+  double place_of(std::size_t axis, int plane) const {
+    return planes_[axis] ? planes_[axis][plane] : plane;
+  }
+  // Returns the middle of the layer of voxels that holds the origin: of the last one if it lies on
+  // the far side, of one beyond if it lies outside.
+  double middle_of_layer(std::size_t axis) const {
+    const int last = voxels_[axis];
+    const double top = place_of(axis, last), bottom = place_of(axis, 0);
+    if (!planes_[axis]) {
+      const double o = std::clamp(origin_[axis], -1.0, top + 1);
+      return (o == top ? top - 1 : std::floor(o)) + 0.5;
+    }
+    if (origin_[axis] < bottom || origin_[axis] > top) return origin_[axis];
+    const int n = gap_at(planes_[axis], last + 1, origin_[axis]);
+    return 0.5 * (place_of(axis, n) + place_of(axis, n + 1));
+  }
   void set_sides() {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       entry_side_[axis] = 1 - ahead_[axis];
@@ -191,6 +218,7 @@ class LatticeLine {
   }
 
   std::array<int, 3> voxels_, ahead_{};
+  Planes planes_;
   std::array<double, 3> origin_, direction_, inverse_{};
   // Local coordinates of a voxel's planes where the line enters and leaves: 0 or 1.
   std::array<double, 3> entry_side_{}, exit_side_{};
@@ -198,44 +226,66 @@ class LatticeLine {
   bool valid_ = false;
 };
 
-// From the scaled frame to voxel units.
+// From the scaled frame to the units of lines.
 class VoxelUnits {
  public:
+  // Keeps pointers to the volume's places.
   explicit VoxelUnits(const Volume& volume)
       : per_spacing_(divided({1, 1, 1}, volume.spacing())),
         first_(to_vec3(volume.first())),
         top_(to_vec3(volume.voxels())),
+        planes_{volume.places(0), volume.places(1), volume.places(2)},
         voxels_(volume.voxels()),
-        box_(volume.box()) {}
+        box_(volume.box()) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (planes_[axis]) per_spacing_[axis] = 1;
+    }
+  }
 
-  // Returns a point (scaled frame) in voxel units. If it is in the volume's box it is also in the
-  // box of voxels, whatever the spacing's rounding.
+  // Returns a point (scaled frame) in the units of lines. If it is in the volume's box it is also in
+  // the box of voxels, whatever the spacing's rounding.
   Vec3 point(const Vec3& p) const {
     const auto in_voxels = [&](int axis) {
+      if (planes_[axis]) return p[axis];
       const double u = p[axis] * per_spacing_[axis] - first_[axis];
       const double below = p[axis] <= box_.hi[axis] ? smaller(u, top_[axis]) : u;
       return p[axis] >= box_.lo[axis] ? greater(below, 0.0) : below;
     };
     return {in_voxels(0), in_voxels(1), in_voxels(2)};
   }
-  Vec3 vector(const Vec3& v) const { return times(v, per_spacing_); }
-  // Returns the voxel that holds the point u (voxel units), clamped to the box.
-  Index3 voxel_at(const Vec3& u) const {
+
+  // A point in its voxel, that of the box nearest to it.
+  struct Local {
     Index3 voxel;
+    Vec3 u;         // in [0, 1] along each axis if it is in the voxel
+    Vec3 per_side;  // one over the sides of the voxel (scaled frame)
+  };
+  Local local(const Vec3& p) const {
+    Local at{{}, point(p), per_spacing_};
     for (int axis = 0; axis < 3; ++axis) {
-      voxel[axis] = static_cast<int>(greater(smaller(u[axis], top_[axis] - 1), 0.0));
+      double& u = at.u[axis];
+      if (const double* places = planes_[axis]) {
+        const int n = at.voxel[axis] = gap_at(places, voxels_[axis] + 1, u);
+        const double side = places[n + 1] - places[n];
+        u = (u - places[n]) / side;
+        at.per_side[axis] = 1 / side;
+      } else {
+        at.voxel[axis] = static_cast<int>(greater(smaller(u, top_[axis] - 1), 0.0));
+        u -= at.voxel[axis];
+      }
     }
-    return voxel;
+    return at;
   }
 
-  // Returns the line origin + t * direction (scaled frame) in voxel units, with the same t.
+  // Returns the line origin + t * direction (scaled frame) in its units, with the same t.
   LatticeLine line(const Vec3& origin, const Vec3& direction) const {
-    return {point(origin), vector(direction), voxels_};
+    return {point(origin), times(direction, per_spacing_), voxels_, planes_};
   }
   VoxelBox box() const { return {{0, 0, 0}, {voxels_.i, voxels_.j, voxels_.k}}; }
 
  private:
-  Vec3 per_spacing_, first_, top_;
+  Vec3 per_spacing_, first_, top_;  // per_spacing_: 1 along an axis of uneven steps
+  Planes planes_;
   Index3 voxels_;
   Box3 box_;
 };

@@ -64,7 +64,7 @@ Parameters resolve(const Options& o, const Grid& volume) {
   static_cast<RunSettings&>(p) = o;
   p.voxel = voxel;
   p.r_min = r_min;
-  p.gap = kGapVoxels * voxel;
+  p.gap = kGapVoxels * volume.least_voxel();
   for (std::size_t n = 0; n < kCriteria; ++n) {
     p.refinement.limits.values[n] = o.limits.values[n].in(volume);
   }

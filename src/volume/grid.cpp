@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/check.h"
 
@@ -32,6 +33,76 @@ void require_in_range(Index3 dims, const Vec3& spacing, const Frame& frame, std:
   }
 }
 
+double median_gap(const std::vector<double>& places) {
+  std::vector<double> gaps;
+  for (std::size_t n = 1; n < places.size(); ++n) gaps.push_back(places[n] - places[n - 1]);
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>((gaps.size() - 1) / 2);
+  std::ranges::nth_element(gaps, middle);
+  return *middle;
+}
+
+Grid Grid::with_places(Coordinates places, std::string_view name) const {
+  Grid grid = *this;
+  bool any = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<double>& at = places[axis];
+    if (at.empty()) continue;
+    any = true;
+    const std::string_view along =
+        std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1);
+    if (at.size() != static_cast<std::size_t>(dims_[axis]) || at.size() < 2) {
+      throw InputError(name, ": has ", dims_[axis], " samples along ", along, ", and ", at.size(),
+                       at.size() == 1 ? " coordinate" : " coordinates");
+    }
+    double& least = grid.least_spacing_[axis] = at[1] - at[0];
+    for (std::size_t n = 1; n < at.size(); ++n) {
+      const double gap = at[n] - at[n - 1];
+      if (!(gap >= kSmallestSpacing)) {
+        throw InputError(name, ": its coordinates along ", along, " do not increase at sample ", n);
+      }
+      least = std::min(least, gap);
+    }
+    if (!(at[0] == 0 && at.back() <= kLargestLength)) {
+      throw InputError(name, ": its coordinates along ", along, " are out of range");
+    }
+  }
+  if (any) grid.places_ = std::make_shared<const Coordinates>(std::move(places));
+  return grid;
+}
+
+Grid Grid::cropped(Index3 first, Index3 dims) const {
+  Frame frame = frame_;
+  frame.origin = frame.to_world(position(first));
+  const Grid grid(dims, spacing_, type_, frame);
+  Coordinates cropped;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double* at = places(axis);
+    for (int n = 0; at && n < dims[axis]; ++n) {
+      cropped[axis].push_back(at[first[axis] + n] - at[first[axis]]);
+    }
+  }
+  return grid.with_places(std::move(cropped), "volume");
+}
+
+double Grid::between_places(const double* at, double x, int axis) const {
+  const int n = gap_at(at, dims_[axis], x);
+  return first_[axis] + (n + (x - at[n]) / (at[n + 1] - at[n]));
+}
+
+double Grid::at_between_places(const double* at, double u, int axis) const {
+  const int n = static_cast<int>(std::clamp(std::floor(u) - first_[axis], 0.0, dims_[axis] - 2.0));
+  const double share = u - (first_[axis] + n);
+  if (share == 1) return at[n + 1];
+  const double x = at[n] + share * (at[n + 1] - at[n]);
+  return share < 1 ? std::min(x, at[n + 1]) : x;
+}
+
+bool Grid::is_on_plane(const Vec3& p, int axis) const {
+  const double* at = places(axis);
+  if (at) return std::binary_search(at, at + dims_[axis], p[axis]);
+  return std::round(p[axis] / spacing_[axis]) * spacing_[axis] == p[axis];
+}
+
 Grid Grid::as_block(Index3 first, Index3 whole) const {
   require_in_range(whole, spacing_, frame_, "volume");
   Grid block = *this;
@@ -49,8 +120,11 @@ unsigned Grid::inner_faces() const {
   return faces;
 }
 
-double Grid::voxel() const {
-  const auto [x, y, z] = spacing_;
+namespace {
+
+// Returns the side of the cube that is as large as a box of these sides.
+double side_of_cube(const Vec3& sides) {
+  const auto [x, y, z] = sides;
   if (x == y && y == z) return x;
   // Newton's method from above, the same bits on every machine, which cbrt() need not give.
   double side = std::max({x, y, z});
@@ -59,6 +133,15 @@ double Grid::voxel() const {
     if (!(next < side)) return side;
     side = next;
   }
+}
+
+}  // namespace
+
+double Grid::voxel() const {
+  return side_of_cube(spacing_);
+}
+double Grid::least_voxel() const {
+  return side_of_cube(least_spacing_);
 }
 
 Box3 Grid::box() const {

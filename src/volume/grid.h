@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The regular grid of a volume's samples: their number, type and places, without the samples.
+// The grid of a volume's samples: their number, type and places, without the samples.
 //
 // Frame: sample (i,j,k) lies at (i*sx, j*sy, k*sz). All geometry is in this scaled frame. The
 // grid's Frame gives its place in the world; a mesh keeps it.
+// Along an axis samples may lie at places of their own, as the slices of a scan do that is coarser
+// from some place on (a rectilinear grid). Within a voxel nothing changes by that. So the
+// interpolant has the topology of these samples, whatever their distances.
 // A voxel is the box between eight neighboring samples. Corner m of voxel (i,j,k) is the sample
 // (i + (m&1), j + (m>>1&1), k + (m>>2)).
 //
@@ -11,9 +14,13 @@
 // compute the same from the samples that they share.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string_view>
+#include <vector>
 
 #include "base/box3.h"
 #include "base/frame.h"
@@ -71,11 +78,22 @@ inline Index3 voxel_across(Index3 voxel, int f) {
 // (base/frame.h), or an axis is no unit vector.
 void require_in_range(Index3 dims, const Vec3& spacing, const Frame& frame, std::string_view name);
 
+// The places of samples along each axis, increasing from 0; none along an axis of even steps.
+using Coordinates = std::array<std::vector<double>, 3>;
+
+// Returns the median of their distances, of two the smaller one. pre: two or more.
+double median_gap(const std::vector<double>& places);
+
 class Grid {
  public:
   // Throws as require_in_range does. Fewer than two samples along an axis make no voxel.
   Grid(Index3 dims, const Vec3& spacing, SampleType type, const Frame& frame = {})
-      : dims_(dims), spacing_(spacing), type_(type), frame_(frame), whole_(dims) {
+      : dims_(dims),
+        spacing_(spacing),
+        least_spacing_(spacing),
+        type_(type),
+        frame_(frame),
+        whole_(dims) {
     require_in_range(dims, spacing, frame, "volume");
   }
 
@@ -91,17 +109,36 @@ class Grid {
     other.frame_ = frame;
     return other;
   }
+  // Returns the same grid with its samples at these places, as many as it has along an axis; its
+  // spacing is that of a usual voxel (median_gap). Throws InputError, with the volume's `name`, if
+  // they do not increase, or are out of range. pre: this is no block.
+  Grid with_places(Coordinates places, std::string_view name) const;
   // Returns this grid as a block of a larger one: samples `first` and following of `whole`.
   // pre: it fits into `whole`, and frame() is that of the larger grid.
   Grid as_block(Index3 first, Index3 whole) const;
+  // Returns the block's samples in the box, as a block of the same larger grid; `first` counts as
+  // first() does.
+  Grid part(Index3 first, Index3 dims) const {
+    Grid part = *this;
+    part.first_ = first;
+    part.dims_ = dims;
+    return part;
+  }
+  // Returns these samples of it as a grid of their own, which begins with the first of them. A usual
+  // voxel stays that of the whole.
+  Grid cropped(Index3 first, Index3 dims) const;
   // Returns the larger grid; of what is no block, the grid itself.
-  Grid whole() const { return {whole_, spacing_, type_, frame_}; }
+  Grid whole() const { return part({}, whole_); }
 
   Index3 dims() const { return dims_; }
   Index3 voxels() const { return {dims_.i - 1, dims_.j - 1, dims_.k - 1}; }
+  // Between samples; of uneven ones the usual distance, and the least.
   Vec3 spacing() const { return spacing_; }
-  // Returns the side of the cube with a voxel's volume: the unit of lengths in voxels.
+  Vec3 least_spacing() const { return least_spacing_; }
+  // Returns the side of the cube with a usual voxel's volume: the unit of lengths in voxels.
   double voxel() const;
+  // Returns that of a cube as small as any voxel: the unit of what must be apart in all of them.
+  double least_voxel() const;
   SampleType type() const { return type_; }
   const Frame& frame() const { return frame_; }
   // The first sample's index in the larger grid, and that grid's size; 0 and dims() without one.
@@ -116,13 +153,49 @@ class Grid {
     return i + std::size_t(dims_.i) * (j + std::size_t(dims_.j) * k);
   }
 
-  // Returns the box of all samples: [0, (n-1)*s] along each axis if this is no block.
-  Box3 box() const;
-  Vec3 position(Index3 sample) const { return times(to_vec3(first_ + sample), spacing_); }
-  // Returns a coordinate in samples along an axis, counted from the block's first one.
-  double in_samples(const Vec3& p, int axis) const {
-    return p[axis] / spacing_[axis] - first_[axis];
+  bool is_even() const { return places_ == nullptr; }
+  // Returns the places of the block's samples along an axis; null if the steps are even.
+  const double* places(int axis) const {
+    return places_ && !(*places_)[axis].empty() ? &(*places_)[axis][first_[axis]] : nullptr;
   }
+  // The places of the larger grid, empty where even.
+  Coordinates all_places() const { return places_ ? *places_ : Coordinates(); }
+
+  // Returns the box of all samples: [0, (n-1)*s] along each axis if this is no block and even.
+  Box3 box() const;
+  Vec3 position(Index3 sample) const {
+    return places_ ? at_samples(to_vec3(first_ + sample))
+                   : times(to_vec3(first_ + sample), spacing_);
+  }
+  // Returns the distances between the samples of a voxel.
+  Vec3 sides(Index3 voxel) const {
+    return places_ ? position(corner_of(voxel, 7)) - position(voxel) : spacing_;
+  }
+  // Return a coordinate in samples along an axis, counted from the block's first one. Beyond the
+  // block the steps are those of its last voxel.
+  double in_samples(const Vec3& p, int axis) const {
+    return in_all_samples(p, axis) - first_[axis];
+  }
+  // The same, counted from the larger grid's first sample, and back. Exact at samples; between two
+  // samples both are in between.
+  double in_all_samples(const Vec3& p, int axis) const {
+    const double* at = places(axis);
+    return at ? between_places(at, p[axis], axis) : p[axis] / spacing_[axis];
+  }
+  Vec3 in_all_samples(const Vec3& p) const {
+    return places_ ? Vec3{in_all_samples(p, 0), in_all_samples(p, 1), in_all_samples(p, 2)}
+                   : divided(p, spacing_);
+  }
+  double at_samples(double u, int axis) const {
+    const double* at = places(axis);
+    return at ? at_between_places(at, u, axis) : u * spacing_[axis];
+  }
+  Vec3 at_samples(const Vec3& u) const {
+    return places_ ? Vec3{at_samples(u.x, 0), at_samples(u.y, 1), at_samples(u.z, 2)}
+                   : times(u, spacing_);
+  }
+  // True if a coordinate is that of a sample.
+  bool is_on_plane(const Vec3& p, int axis) const;
   bool has_voxel(Index3 voxel) const {
     const auto holds = [](int n, int of) { return 0 <= n && n < of - 1; };
     return holds(voxel.i, dims_.i) && holds(voxel.j, dims_.j) && holds(voxel.k, dims_.k);
@@ -131,11 +204,21 @@ class Grid {
   Index3 voxel_at(const Vec3& p) const;
 
  private:
+  double between_places(const double* at, double x, int axis) const;
+  double at_between_places(const double* at, double u, int axis) const;
+
   Index3 dims_;
-  Vec3 spacing_;
+  Vec3 spacing_, least_spacing_;
   SampleType type_;
   Frame frame_;
   Index3 first_, whole_;
+  std::shared_ptr<const Coordinates> places_{};  // of the larger grid; null if all steps are even
 };
+
+// Returns the index, from 0 to n - 2, of the gap between increasing places that holds x, its lower
+// end included; beyond all places the first or the last one. pre: n >= 2.
+inline int gap_at(const double* places, int n, double x) {
+  return static_cast<int>(std::upper_bound(places + 1, places + n - 1, x) - (places + 1));
+}
 
 }  // namespace deliso

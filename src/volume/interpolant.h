@@ -16,9 +16,9 @@ class Interpolant {
  public:
   using Four = std::array<double, 4>;
 
-  // Keeps a pointer to the samples.
+  // Keeps a reference to the volume, and a pointer to its samples.
   Interpolant(const Volume& volume, double kappa)
-      : kappa_(kappa), dy_(volume.dims().i), dz_(dy_ * volume.dims().j) {
+      : kappa_(kappa), grid_(volume), dy_(volume.dims().i), dz_(dy_ * volume.dims().j) {
     for (int axis = 0; axis < 3; ++axis) {
       per_spacing_[axis] = 1 / volume.spacing()[axis];
       lo_[axis] = volume.first()[axis];
@@ -26,7 +26,8 @@ class Interpolant {
     }
     volume.visit([&]<class Sample>(const Sample* samples) {
       samples_ = samples;
-      on_line_ = &on_line<Sample>;
+      on_line_ = &on_line<Sample, true>;
+      if (!volume.is_even()) on_line_ = &on_line<Sample, false>;
     });
   }
 
@@ -36,7 +37,7 @@ class Interpolant {
   }
 
  private:
-  template <class Sample>
+  template <class Sample, bool is_even>
   static Four on_line(const Interpolant& g, const Vec3& from, const Vec3& along, const Four& t) {
     std::array<std::array<int, 4>, 3> voxel;
     std::array<Four, 3> place;  // in the voxel
@@ -45,7 +46,9 @@ class Interpolant {
       const double lo = g.lo_[axis], hi = g.hi_[axis];
       for (int n = 0; n < 4; ++n) {
         // A place that is not a number becomes lo.
-        const double x = std::min(std::max(lo, (start + t[n] * direction) * scale), hi) - lo;
+        const double at = is_even ? (start + t[n] * direction) * scale
+                                  : g.grid_.in_all_samples(from + t[n] * along, axis);
+        const double x = std::min(std::max(lo, at), hi) - lo;
         voxel[axis][n] = static_cast<int>(x);
         place[axis][n] = x - voxel[axis][n];
       }
@@ -62,6 +65,7 @@ class Interpolant {
   }
 
   double kappa_;
+  const Grid& grid_;
   Vec3 per_spacing_, lo_, hi_;  // lo_, hi_: of the box, in voxels; hi_ lies in the last voxel
   std::size_t dy_, dz_;
   const void* samples_ = nullptr;

@@ -52,7 +52,7 @@ Vec3 Volume::gradient(const Vec3& p) const {
       mix(mix(c[2] - c[0], c[3] - c[1], u.x), mix(c[6] - c[4], c[7] - c[5], u.x), u.z);
   const double gz =
       mix(mix(c[4] - c[0], c[5] - c[1], u.x), mix(c[6] - c[2], c[7] - c[3], u.x), u.y);
-  const Vec3 s = spacing();
+  const Vec3 s = sides(at.voxel);
   return {gx / s.x, gy / s.y, gz / s.z};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scalar volume: samples on a regular grid (volume/grid.h), kept in their own type, and their
+// A scalar volume: samples on a grid (volume/grid.h), kept in their own type, and their
 // trilinear interpolant g (paper §2).
 //
 // Layout: x fastest, native byte order, aligned for the type, owned or memory-mapped.
@@ -74,8 +74,12 @@ class Volume : public Grid {
                       std::shared_ptr<const void> owner) const {
     return {of_type(type), bytes, std::move(owner)};
   }
-  // Return the same samples elsewhere in the world, and as a block (Grid::as_block).
+  // Return the same samples elsewhere in the world, at other places, and as a block
+  // (Grid::as_block).
   Volume with_frame(const Frame& frame) const { return {Grid::with_frame(frame), bytes_, owner_}; }
+  Volume with_places(Coordinates places, std::string_view name) const {
+    return {Grid::with_places(std::move(places), name), bytes_, owner_};
+  }
   Volume as_block(Index3 first, Index3 whole) const {
     return {Grid::as_block(first, whole), bytes_, owner_};
   }
@@ -88,7 +92,12 @@ class Volume : public Grid {
   // Copies `samples`. Throws InputError unless there are dims.i * dims.j * dims.k of them.
   template <class T>
   static Volume from_samples(Index3 dims, Vec3 spacing, const std::vector<T>& samples,
-                             Frame frame = {});
+                             Frame frame = {}) {
+    return from_samples(Grid(dims, spacing, sample_type_of<T>(), frame), samples);
+  }
+  // The same at the places of a grid, of whatever type.
+  template <class T>
+  static Volume from_samples(const Grid& grid, const std::vector<T>& samples);
 
   // Calls f with a pointer to the samples in their own type, so that inner loops are monomorphic.
   template <class F>
@@ -158,14 +167,14 @@ std::optional<T> inside_threshold(double kappa) {
 double geometric_isovalue(SampleType type, double isovalue);
 
 template <class T>
-Volume Volume::from_samples(Index3 dims, Vec3 spacing, const std::vector<T>& samples, Frame frame) {
-  const Grid grid(dims, spacing, sample_type_of<T>(), frame);
+Volume Volume::from_samples(const Grid& grid, const std::vector<T>& samples) {
+  const Index3 dims = grid.dims();
   if (samples.size() != grid.sample_count()) {
     throw InputError("a volume of ", dims.i, " x ", dims.j, " x ", dims.k, " samples is given ",
                      samples.size());
   }
   const auto owner = std::make_shared<const std::vector<T>>(samples);
-  return {grid, reinterpret_cast<const std::byte*>(owner->data()), owner};
+  return {grid.of_type(sample_type_of<T>()), reinterpret_cast<const std::byte*>(owner->data()), owner};
 }
 
 template <class F>

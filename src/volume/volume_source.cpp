@@ -48,8 +48,7 @@ Volume samples_of(const Volume& volume, const SampleBox& box) {
       std::memcpy(to, from + size * volume.index(box.begin.i - first.i, j, k), row);
     }
   }
-  return Volume(dims, volume.spacing(), volume.type(), bytes->data(), bytes, volume.frame())
-      .as_block(box.begin, volume.whole_dims());
+  return {volume.part(box.begin, dims), bytes->data(), bytes};
 }
 
 VolumeSource source_of(const Volume& volume) {

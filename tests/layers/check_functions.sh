@@ -11,7 +11,6 @@ cd "$1"
 allowed="
 check/quality.cpp: atan2
 io/volume/sample_grid.cpp: acos
-io/volume/upright_volume.cpp: acos
 view/render/camera.cpp: cos sin
 view/render/color_bar.cpp: log10 pow
 view/render/occlusion.cpp: asin

@@ -392,7 +392,8 @@ TEST_CASE("regions know their place in the whole, and have its samples") {
   for (int n = 0; n < 24; ++n) {
     const Index3 which{n % 3, n / 3 % 2, n / 6};
     ReadOptions options;
-    options.region = [&](Index3 all, const Vec3&) {
+    options.region = [&](const Grid& grid) {
+      const Index3 all = grid.dims();
       Roi roi;
       for (int axis = 0; axis < 3; ++axis) {
         roi.begin[axis] = which[axis] * (all[axis] - 1) / of[axis];
@@ -426,7 +427,7 @@ TEST_CASE("regions know their place in the whole, and have its samples") {
   CHECK(std::ranges::count(seen, 0) == 23 * 23 * 23 - 22 * 22 * 22);
   CHECK_FALSE(whole.is_block());
   ReadOptions failing;
-  failing.region = [](Index3, const Vec3&) -> Roi { throw InputError("too small"); };
+  failing.region = [](const Grid&) -> Roi { throw InputError("too small"); };
   CHECK_THROWS_WITH_AS(make_builtin_volume("builtin:noise:23", failing),
                        "builtin:noise:23: too small", InputError);
 }
