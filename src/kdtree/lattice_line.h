@@ -66,6 +66,7 @@ class LatticeLine {
   LatticeLine(const Vec3& origin, const Vec3& direction, Index3 voxels, const Planes& planes = {})
       : voxels_{voxels.i, voxels.j, voxels.k},
         planes_(planes),
+        is_even_(planes == Planes{}),
         origin_{origin.x, origin.y, origin.z},
         direction_{direction.x, direction.y, direction.z},
         base_(origin_) {
@@ -179,9 +180,8 @@ class LatticeLine {
     // On the planes the coordinates are exact (L3).
     const auto at = [&](std::size_t axis, double t, bool on_plane, double side) {
       const double along = origin_[axis] + t * direction_[axis];
-      double within = greater(smaller(along, high[axis]), low[axis]) - low[axis];
-      if (planes_[axis]) within /= high[axis] - low[axis];
-      const std::array<double, 2> either = {within, side};
+      const double within = greater(smaller(along, high[axis]), low[axis]);
+      const std::array<double, 2> either = {within - low[axis], side};
       return either[on_plane];
     };
     const auto entry = [&](std::size_t axis) {
@@ -190,7 +190,14 @@ class LatticeLine {
     const auto exit = [&](std::size_t axis) {
       return at(axis, t1, t1 >= out[axis], exit_side_[axis]);
     };
-    return {voxel, t0, t1, {entry(0), entry(1), entry(2)}, {exit(0), exit(1), exit(2)}};
+    VoxelSpan span{voxel, t0, t1, {entry(0), entry(1), entry(2)}, {exit(0), exit(1), exit(2)}};
+    for (int axis = 0; !is_even_ && axis < 3; ++axis) {
+      if (!planes_[axis]) continue;
+      const double side = high[axis] - low[axis];
+      if (!(in[axis] >= t0)) span.u0[axis] /= side;
+      if (!(t1 >= out[axis])) span.u1[axis] /= side;
+    }
+    return span;
   }
 
  private:
@@ -219,6 +226,7 @@ class LatticeLine {
 
   std::array<int, 3> voxels_, ahead_{};
   Planes planes_;
+  bool is_even_;
   std::array<double, 3> origin_, direction_, inverse_{};
   // Local coordinates of a voxel's planes where the line enters and leaves: 0 or 1.
   std::array<double, 3> entry_side_{}, exit_side_{};
@@ -231,7 +239,8 @@ class VoxelUnits {
  public:
   // Keeps pointers to the volume's places.
   explicit VoxelUnits(const Volume& volume)
-      : per_spacing_(divided({1, 1, 1}, volume.spacing())),
+      : is_even_(volume.is_even()),
+        per_spacing_(divided({1, 1, 1}, volume.spacing())),
         first_(to_vec3(volume.first())),
         top_(to_vec3(volume.voxels())),
         planes_{volume.places(0), volume.places(1), volume.places(2)},
@@ -246,12 +255,15 @@ class VoxelUnits {
   // the box of voxels, whatever the spacing's rounding.
   Vec3 point(const Vec3& p) const {
     const auto in_voxels = [&](int axis) {
-      if (planes_[axis]) return p[axis];
       const double u = p[axis] * per_spacing_[axis] - first_[axis];
       const double below = p[axis] <= box_.hi[axis] ? smaller(u, top_[axis]) : u;
       return p[axis] >= box_.lo[axis] ? greater(below, 0.0) : below;
     };
-    return {in_voxels(0), in_voxels(1), in_voxels(2)};
+    Vec3 at{in_voxels(0), in_voxels(1), in_voxels(2)};
+    for (int axis = 0; axis < 3 && !is_even_; ++axis) {
+      if (planes_[axis]) at[axis] = p[axis];
+    }
+    return at;
   }
 
   // A point in its voxel, that of the box nearest to it.
@@ -263,17 +275,10 @@ class VoxelUnits {
   Local local(const Vec3& p) const {
     Local at{{}, point(p), per_spacing_};
     for (int axis = 0; axis < 3; ++axis) {
-      double& u = at.u[axis];
-      if (const double* places = planes_[axis]) {
-        const int n = at.voxel[axis] = gap_at(places, voxels_[axis] + 1, u);
-        const double side = places[n + 1] - places[n];
-        u = (u - places[n]) / side;
-        at.per_side[axis] = 1 / side;
-      } else {
-        at.voxel[axis] = static_cast<int>(greater(smaller(u, top_[axis] - 1), 0.0));
-        u -= at.voxel[axis];
-      }
+      at.voxel[axis] = static_cast<int>(greater(smaller(at.u[axis], top_[axis] - 1), 0.0));
     }
+    at.u = at.u - to_vec3(at.voxel);
+    if (!is_even_) put_between_planes(p, at);
     return at;
   }
 
@@ -284,6 +289,18 @@ class VoxelUnits {
   VoxelBox box() const { return {{0, 0, 0}, {voxels_.i, voxels_.j, voxels_.k}}; }
 
  private:
+  void put_between_planes(const Vec3& p, Local& at) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double* places = planes_[axis];
+      if (!places) continue;
+      const int n = at.voxel[axis] = gap_at(places, voxels_[axis] + 1, p[axis]);
+      const double side = places[n + 1] - places[n];
+      at.u[axis] = (p[axis] - places[n]) / side;
+      at.per_side[axis] = 1 / side;
+    }
+  }
+
+  bool is_even_;
   Vec3 per_spacing_, first_, top_;  // per_spacing_: 1 along an axis of uneven steps
   Planes planes_;
   Index3 voxels_;
