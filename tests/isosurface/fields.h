@@ -25,6 +25,15 @@ inline TestField test_field(std::string name, Volume volume, double kappa) {
   return {std::move(name), std::move(volume), used};
 }
 
+// Returns places whose distances are up to seven times as large as others.
+inline std::vector<double> uneven_places(int count, Random& random) {
+  std::vector<double> places{0};
+  while (places.size() < static_cast<std::size_t>(count)) {
+    places.push_back(places.back() + std::exp(random.uniform(-1, 1)));
+  }
+  return places;
+}
+
 inline std::vector<TestField> test_fields() {
   std::vector<TestField> fields;
   Random random(7);
@@ -65,6 +74,14 @@ inline std::vector<TestField> test_fields() {
       "rod",
       sampled<std::uint8_t>({160, 3, 4}, {1, 2, 1}, [&](int, int, int) { return random.below(9); }),
       1.5));
+  // Samples at places of their own, along two axes.
+  const Volume even = sampled<std::uint8_t>({9, 8, 12}, {1, 2, 1},
+                                            [&](int, int, int) { return random.below(9); });
+  fields.push_back(
+      test_field("uneven",
+                 even.with_places({{{}, {0, 1, 1.5, 4, 6, 6.25, 9, 12}, uneven_places(12, random)}},
+                                  "test"),
+                 3.5));
   return fields;
 }
 
@@ -78,7 +95,7 @@ inline Vec3 hard_point(Random& random, const Volume& volume) {
     if (kind >= 5 && random.below(2) == 0) u = std::round(u);
     if (kind == 4) u = random.uniform(-0.5 * n[axis], 1.5 * n[axis]);
     if (kind == 7) u = std::round(2 * u) / 2;
-    p[axis] = u * volume.spacing()[axis];
+    p[axis] = volume.at_samples(u, axis);
   }
   return p;
 }

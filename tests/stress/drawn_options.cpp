@@ -151,6 +151,8 @@ constexpr DrawnOption kDrawn[] = {
     {"--quiet", [](Random&, auto&) { return Words{"--quiet"}; }, kBeside | kReport, another_mesh},
     {"--json", [](Random&, auto&) { return Words{"--json=v.json"}; }, kBeside | kReport,
      another_mesh},
+    {"--coordinates",  // their file lies beside the volume's
+     [](Random& r, auto&) { return r.below(2) > 0 ? Words{"--coordinates"} : Words{}; }, kBeside},
 };
 
 // Options about files, formats and reports; --iso is always given.
@@ -214,7 +216,11 @@ Draw draw_options(std::uint64_t seed, const OptionVolume& volume, const DrawnOpt
   return draw;
 }
 
-Words command_words(const std::string& file, double isovalue, const Words& options) {
+Words command_words(const std::string& file, double isovalue, const Words& drawn) {
+  Words options = drawn;
+  for (std::string& word : options) {
+    if (word == "--coordinates") word += "=" + file + ".xyz";
+  }
   const bool is_label =
       std::ranges::any_of(options, [](const auto& word) { return word.starts_with("--label"); });
   const bool has_threads =

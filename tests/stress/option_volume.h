@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +23,7 @@ struct OptionVolume {
   std::string_view kind;
   TinyVolume tiny;
   std::uint32_t labels = 0;  // it is a segmentation with labels 1 .. labels, 0 around them
+  Coordinates coordinates{};  // for --coordinates: of one axis or more
 };
 
 namespace tiny {
@@ -116,7 +119,29 @@ inline OptionVolume make_option_volume(std::uint64_t seed, std::uint32_t least =
   }
   const std::string_view kind =
       n < kTinyKinds ? name_of(static_cast<TinyKind>(n)) : kNames[n - kTinyKinds];
-  return {kind, tiny::of_some_type(r, random), labels};
+  OptionVolume volume{kind, tiny::of_some_type(r, random), labels};
+  for (const int first = static_cast<int>(random.below(3)); const int axis : {0, 1, 2}) {
+    if (axis != first && random.below(2) > 0) continue;
+    std::vector<double>& at = volume.coordinates[static_cast<std::size_t>(axis)];
+    at = {random.uniform(-9, 9)};
+    while (at.size() < static_cast<std::size_t>(r.dims[axis])) {
+      at.push_back(at.back() + r.spacing[axis] * std::exp(random.uniform(-0.7, 0.7)));
+    }
+  }
+  return volume;
+}
+
+// As files that the program reads: the samples, and beside them their coordinates.
+inline void write_files(const OptionVolume& volume, const std::string& path) {
+  write_nrrd(volume.tiny.volume, path);
+  std::ofstream out(path + ".xyz");
+  out.precision(17);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (volume.coordinates[axis].empty()) continue;
+    out << "xyz"[axis];
+    for (const double at : volume.coordinates[axis]) out << ' ' << at;
+    out << '\n';
+  }
 }
 
 }  // namespace deliso::stress

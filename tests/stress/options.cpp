@@ -257,7 +257,7 @@ struct Verdict {
 Verdict run_seed(std::uint64_t seed, const std::string& file) {
   const OptionVolume volume = make_option_volume(seed);
   const Draw draw = draw_options(seed, volume);
-  write_nrrd(volume.tiny.volume, file);
+  write_files(volume, file);
   const std::clock_t start = std::clock();
   Words all = draw.first_words;
   all.insert(all.end(), draw.other_words.begin(), draw.other_words.end());
@@ -410,7 +410,7 @@ int run_all(std::uint64_t first, std::uint64_t count, bool listed) {
 }
 
 int write_one(std::uint64_t seed, const std::string& path) {
-  write_nrrd(make_option_volume(seed).tiny.volume, path);
+  write_files(make_option_volume(seed), path);
   for (const bool with_first : {true, false}) {
     std::printf("%s\n", command_text(seed, path, with_first).c_str());
   }

@@ -163,7 +163,7 @@ std::string difference(const Made& joined, const Made& whole) {
 
 Verdict run_seed(std::uint64_t seed, const std::string& file) {
   const Case drawn = make_case(seed, file);
-  write_nrrd(drawn.volume.tiny.volume, file);
+  write_files(drawn.volume, file);
   const int of = kParts[seed / drawn_options().size() % std::size(kParts)];
   Verdict verdict;
   const auto end = [&](Verdict::Outcome outcome, const std::string& what) {

@@ -203,6 +203,52 @@ TEST_CASE("corner m of a voxel is a sample; voxel_at is clamped to the box") {
   CHECK(volume.voxel_at({1e300, 1e300, 1e300}) == Index3{1, 2, 3});
 }
 
+TEST_CASE("samples may lie at places of their own along an axis") {
+  const Coordinates places{{{}, {0, 1, 1.5, 4}, {0, 2, 2.25, 7, 8, 8.125}}};
+  const Volume even = sampled<float>({3, 4, 6}, {0.5, 1, 1}, [](int i, int j, int k) {
+    return 3 * i - 2 * j * k + k * k;
+  });
+  const Volume volume = even.with_places(places, "test");
+  CHECK(volume.spacing() == Vec3{0.5, 1, 1});
+  CHECK(volume.least_spacing() == Vec3{0.5, 0.5, 0.125});
+  CHECK(volume.box().hi == Vec3{1, 4, 8.125});
+  const Volume block = samples_of(volume, {{0, 1, 2}, {2, 3, 5}});
+  const Grid crop = volume.cropped({0, 1, 2}, {3, 3, 4});
+  for (int n = 0; n < 36; ++n) {
+    const Index3 at{n % 3, n / 3 % 3, n / 9}, in_all = at + Index3{0, 1, 2};
+    const Vec3 p = volume.position(in_all);
+    CHECK(p == Vec3{0.5 * in_all.i, places[1][in_all.j], places[2][in_all.k]});
+    CHECK(block.position(at) == p);
+    CHECK(crop.frame().to_world(crop.position(at)) == p);
+    CHECK(volume.value(p) == even.sample(in_all.i, in_all.j, in_all.k));
+    CHECK(block.value(p) == volume.value(p));
+  }
+  Random random(3);
+  for (int n = 0; n < 500; ++n) {
+    // Between the samples all is as with even steps, but for the sides of the voxel.
+    const Vec3 u{random.uniform(0, 2), random.uniform(0, 3), random.uniform(0, 5)};
+    const Vec3 p = volume.at_samples(u), even_p = even.at_samples(u);
+    CHECK(distance(volume.in_all_samples(p), u) < 1e-14);
+    CHECK(volume.voxel_at(p) == even.voxel_at(even_p));
+    CHECK(volume.value(p) == doctest::Approx(even.value(even_p)).epsilon(1e-12));
+    const Vec3 sides = volume.sides(volume.voxel_at(p)), slope = even.gradient(even_p);
+    CHECK(distance(times(volume.gradient(p), sides), times(slope, even.spacing())) < 1e-11);
+    if (block.box().contains(p)) CHECK(distance(block.gradient(p), volume.gradient(p)) < 1e-11);
+  }
+  const auto message = [&](Coordinates wrong) {
+    try {
+      even.with_places(std::move(wrong), "v");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(message({{{0, 1}, {}, {}}}) == "v: has 3 samples along x, and 2 coordinates");
+  CHECK(message({{{0, 1, 1}, {}, {}}}) == "v: its coordinates along x do not increase at sample 2");
+  CHECK(message({{{0, 1, std::nan("")}, {}, {}}}).find("do not increase") != std::string::npos);
+  CHECK(message({{{0, 1, 1e31}, {}, {}}}) == "v: its coordinates along x are out of range");
+}
+
 TEST_CASE("the range of any number of samples, with or without plateaus") {
   std::uint64_t seed = 0;
   for (std::size_t count : {1u, 2u, 7u, 63u, 64u, 65u, 1000u, 4096u, 4097u, 20000u}) {

@@ -190,6 +190,57 @@ TEST_CASE("a sheared grid is read, with a note") {
   CHECK(log.notes[0].find("sheared grid (x and y enclose 53.1301 degrees)") != std::string::npos);
 }
 
+TEST_CASE("a rectilinear grid of VTK has its coordinates, in text and in bytes") {
+  const TemporaryFolder folder;
+  const auto file = [&](const std::string& coordinates, const std::string& more = "") {
+    std::string samples;
+    for (int n = 0; n < 24; ++n) samples += text(n * n % 17, " ");
+    return folder.write(
+        "v.vtr",
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"RectilinearGrid\" version=\"0.1\" "
+        "byte_order=\"LittleEndian\">\n<RectilinearGrid WholeExtent=\"5 7 0 1 -3 0\">\n<Piece "
+        "Extent=\"5 7 0 1 -3 0\"><PointData Scalars=\"a\"><DataArray type=\"Int16\" Name=\"a\" "
+        "format=\"ascii\">" + samples + "</DataArray></PointData><Coordinates>" + coordinates +
+            "</Coordinates></Piece></RectilinearGrid></VTKFile>\n");
+  };
+  const auto array = [](const char* numbers) {
+    return text("<DataArray type=\"Float64\" format=\"ascii\">", numbers, "</DataArray>");
+  };
+  // Bytes in base64: their number, 16, then 1 and 4 as float64.
+  const std::string bytes =
+      "<DataArray type=\"Float64\" format=\"binary\">EAAAAAAAAAAAAPA/AAAAAAAAEEA=</DataArray>";
+  const std::string x = array("-2 0 0.5"), y = array("1 4"), z = array("3 4 6 6.5");
+  for (const std::string& middle : {y, bytes}) {
+    const Volume volume = read_volume(file(x + middle + z));
+    CHECK(volume.dims() == Index3{3, 2, 4});
+    CHECK(volume.frame().origin == Vec3{-2, 1, 3});
+    CHECK(volume.all_places() == Coordinates{{{0, 2, 2.5}, {0, 3}, {0, 1, 3, 3.5}}});
+    CHECK(volume.sample(1, 1, 2) == 16 * 16 % 17);
+  }
+  CHECK(read_message(file(x + y)) == "v.vtr: has 2 arrays of coordinates, not three");
+  CHECK(read_message(file(x + z + y)) == "v.vtr: the coordinates along y are not 2 numbers");
+  CHECK(read_message(file(array("0 1 1") + y + z)) ==
+        "v.vtr: its coordinates along x do not increase at sample 2");
+  // Those of a text file stand for any other.
+  ReadOptions options;
+  options.coordinates =
+      read_coordinates(folder.write("c.txt", "# made by hand\nz 1 2 4 8\n\nx 0 1 5\n"));
+  const Volume volume = read_volume(file(x + y + z), options);
+  CHECK(volume.frame().origin == Vec3{0, 1, 1});
+  CHECK(volume.all_places() == Coordinates{{{0, 1, 5}, {0, 3}, {0, 1, 3, 7}}});
+  for (const auto& [lines, fault] : {std::pair{"w 1 2", "has a line that is no x, y or z with"},
+                                     {"x 1", "two or more numbers: 'x 1'"},
+                                     {"x 1 b", "'x 1 b'"},
+                                     {"x 1 2\nx 1 2", "has the coordinates along x twice"}}) {
+    try {
+      read_coordinates(folder.write("c.txt", lines));
+      FAIL("read");
+    } catch (const InputError& error) {
+      CHECK(std::string(error.what()).find(fault) != std::string::npos);
+    }
+  }
+}
+
 TEST_CASE("the anatomical space of a file is kept") {
   const TemporaryFolder folder;
   const Truth truth = random_truth(SampleType::u8, {3, 4, 5}, 1);
