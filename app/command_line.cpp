@@ -104,8 +104,8 @@ void refuse_unknown_command(std::string_view word, bool another_input) {
 bool reads_volume(const CommandLine& line) {
   const ReadOptions& read = line.read;
   return line.isovalue || read.raw || read.roi || read.array || read.series || read.channel ||
-         read.time || read.spacing || read.origin || read.coordinates != Coordinates() || read.space != AnatomicalSpace::unknown ||
-         line.field.nan || line.field.any();
+         read.time || read.spacing || read.origin || read.coordinates != Coordinates() ||
+         read.space != AnatomicalSpace::unknown || line.field.nan || line.field.any();
 }
 
 // True if the surface is known: from an isovalue, or from labels.

@@ -150,6 +150,9 @@ std::string input_text(const Input& input) {
   std::string lines =
       text("volume    ", one_line(input.name), "\n          ", dims.i, " x ", dims.j, " x ", dims.k,
            " ", name_of(volume.type()), ", spacing ", text_of(volume.spacing()));
+  for (int axis = 0; axis < 3; ++axis) {
+    if (volume.places(axis)) lines += text(", uneven along ", "xyz"[axis]);
+  }
   // A note has the ids.
   if (input.range && (input.log.ids.empty() || input.field.label)) {
     lines += ", samples " + sample_text(input.range->min) + " to " + sample_text(input.range->max);
@@ -180,6 +183,17 @@ void add_input(ReportWriter& out, const Input& input) {
   out.add_choice("type", static_cast<std::size_t>(volume.type()), names_up_to(SampleType::f64),
                  "of a sample");
   out.add("spacing", volume.spacing(), "between samples along x, y and z; world units");
+  if (out.if_any(!volume.is_even())) {
+    out.open(
+        "coordinates",
+        "of samples along an axis of uneven steps, from the first one; the spacing is their median "
+        "distance");
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      out.add_list(std::string(1, "xyz"[axis]), volume.all_places()[axis], "number",
+                   "world units; none along an axis of even steps");
+    }
+    out.close();
+  }
   out.add("origin", at.origin, "of the first sample; world units");
   out.add("axis_x", at.axes[0], "the direction of the volume's x axis in the world");
   out.add("axis_y", at.axes[1], "of its y axis");

@@ -157,7 +157,8 @@ constexpr OptionSpec kInputAndOutput[] = {
      "where the file's first sample lies (default: what the file says, or 0,0,0)",
      [](Line& l, Text o, Text v) { l.read.origin = parse_point(o, v); }},
     {"--coordinates", 0, "FILE", kVolume,
-     "coordinates of the samples along an axis, if their steps are not even: lines of x, y or z and "
+     "coordinates of the samples along an axis, if their steps are not even: lines of x, y or z "
+     "and "
      "as many numbers as samples (default: what the file says)",
      [](Line& l, Text, Text v) { l.read.coordinates = read_coordinates(std::string(v)); }},
     {"--space", 0, "LPS|RAS", kVolume,
@@ -488,9 +489,10 @@ std::string_view help_in(Command command, const OptionSpec& spec) {
 }
 
 LibraryUse library_use(std::string_view name) {
-  constexpr std::string_view kOfFiles[] = {
-      "--iso",  "--volume", "--roi",  "--array",  "--series",  "--channel", "--time",
-      "--dims", "--type",   "--skip", "--endian", "--spacing", "--origin",  "--coordinates", "--space"};
+  constexpr std::string_view kOfFiles[] = {"--iso",    "--volume",      "--roi",    "--array",
+                                           "--series", "--channel",     "--time",   "--dims",
+                                           "--type",   "--skip",        "--endian", "--spacing",
+                                           "--origin", "--coordinates", "--space"};
   constexpr std::string_view kNone[] = {"--output",    "--format",     "--json",  "--quiet",
                                         "--verbose",   "--part",       "--help",  "--version",
                                         "--ply-ascii", "--attributes", "--shared"};

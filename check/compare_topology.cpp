@@ -109,7 +109,8 @@ std::vector<std::uint32_t> match_components(const CleanMesh& mesh,
       });
       if (component == kNoId) continue;
       const Vec3 g = volume.gradient(p);
-      (dot(normal, times(g, volume.sides(volume.voxel_at(p)))) < 0 ? facing : others).push_back(component);
+      (dot(normal, times(g, volume.sides(volume.voxel_at(p)))) < 0 ? facing : others)
+          .push_back(component);
     }
     return most_frequent(facing.empty() ? others : facing);
   };
@@ -177,8 +178,7 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ExactSurface&
   for (std::uint32_t e = 0; e < components.size(); ++e) {
     const ContourComponent& x = components[e];
     const Box3 box = box_of(x, volume);
-    const std::string name =
-        text("component ", e, " of the surface (", box_text(box, volume), ")");
+    const std::string name = text("component ", e, " of the surface (", box_text(box, volume), ")");
     const std::uint32_t m = stand_in[e];
     if (m == kNoId) {
       if (!result.kept[e]) continue;

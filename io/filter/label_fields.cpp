@@ -136,13 +136,14 @@ void add_slice(const Volume& own, const Volume& others, const Volume& mass, doub
       }
       if (most < kNegligible * greatest || least > 1 - kNegligible) continue;
       const Corners r = mass.corners({i, j, k});
+      const double voxel = own.share_of({i, j, k});
       for (int n = 0; n < kPointsOfVoxel; ++n) {
         const double s_n = value_at(s, n), o_n = value_at(o, n);
         if (!(s_n + o_n > 0)) continue;
         const double u = s_n / (s_n + o_n);
         const auto bin = std::min(static_cast<std::size_t>(kBins * (u / greatest)), kBins - 1);
-        shares.of_bin[bin] += s_n + value_at(r, n);
-        shares.own += s_n;
+        shares.of_bin[bin] += voxel * (s_n + value_at(r, n));
+        shares.own += voxel * s_n;
       }
     }
   }
@@ -378,22 +379,23 @@ Volume LabelFields::weighted(std::int64_t label) {
 }
 
 double inside_volume(const Volume& field, int threads) {
-  std::uint64_t points = 0;
-  for (const std::uint64_t part :
-       sum_slices<std::uint64_t>(field, threads, [&](int k, std::uint64_t&sum) {
+  double points = 0;
+  for (const double part : sum_slices<double>(field, threads, [&](int k, double&sum) {
          for (int j = 0; j < field.voxels().j; ++j) {
            for (int i = 0; i < field.voxels().i; ++i) {
              const Corners c = field.corners({i, j, k});
              const auto [least, most] = std::ranges::minmax(c);
-             if (least >= 0) sum += kPointsOfVoxel;
-             if (least >= 0 || most < 0) continue;
-             for (int n = 0; n < kPointsOfVoxel; ++n) sum += value_at(c, n) >= 0 ? 1 : 0;
+             int inside = least >= 0 ? kPointsOfVoxel : 0;
+             for (int n = 0; n < kPointsOfVoxel && least < 0 && most >= 0; ++n) {
+               inside += value_at(c, n) >= 0 ? 1 : 0;
+             }
+             sum += inside * field.share_of({i, j, k});
            }
          }
        })) {
     points += part;
   }
-  return static_cast<double>(points) / kPointsOfVoxel;
+  return points / kPointsOfVoxel;
 }
 
 }  // namespace deliso

@@ -50,23 +50,22 @@ std::int64_t label_of(T value, Index3 at, std::string_view name) {
   return static_cast<std::int64_t>(value);
 }
 
-// The share of a voxel that sample i of n stands for along an axis.
-double share_at(int i, int n) {
-  return i == 0 || i == n - 1 ? 0.5 : 1;
-}
-
 // Adds the labels of a row of `box`, one run of equal samples after the other.
 template <class T>
-void add_row(Found& found, const T* row, Index3 dims, const SampleExtent& box, int j, int k,
+void add_row(Found& found, const T* row, const Grid& grid, const SampleExtent& box, int j, int k,
              std::string_view name) {
-  const double share = share_at(j, dims.j) * share_at(k, dims.k);
+  const double share = grid.share_at(1, j) * grid.share_at(2, k);
   for (int begin = box.first.i; begin <= box.last.i;) {
     int end = begin + 1;
     while (end <= box.last.i && row[end] == row[begin]) ++end;
-    const double ends = (begin == 0 ? 0.5 : 0) + (end == dims.i ? 0.5 : 0);
+    double along = end - begin - ((begin == 0 ? 0.5 : 0) + (end == grid.dims().i ? 0.5 : 0));
+    if (grid.places(0)) {
+      along = 0;
+      for (int i = begin; i < end; ++i) along += grid.share_at(0, i);
+    }
     LabelSamples run{label_of(row[begin], {begin, j, k}, name),
                      static_cast<std::uint64_t>(end - begin),
-                     share * (end - begin - ends),
+                     share * along,
                      {begin, j, k},
                      {end - 1, j, k}};
     LabelSamples& all = found[run.label];
@@ -88,15 +87,15 @@ std::vector<LabelSamples> find_labels(const Segmentation& samples_of, std::strin
   const auto slices = static_cast<std::size_t>(box.dims().k);
   std::vector<Found> found(runs_of(slices, kSlicesOfCount));
   volume.visit([&](const auto* samples) {
-    for_each_run(threads, slices, kSlicesOfCount,
-                 [&](std::size_t task, std::size_t begin, std::size_t end) {
-                   for (std::size_t n = begin; n < end; ++n) {
-                     const int k = box.first.k + static_cast<int>(n);
-                     for (int j = box.first.j; j <= box.last.j; ++j) {
-                       add_row(found[task], samples + volume.index(0, j, k), dims, box, j, k, name);
-                     }
-                   }
-                 });
+    for_each_run(
+        threads, slices, kSlicesOfCount, [&](std::size_t task, std::size_t begin, std::size_t end) {
+          for (std::size_t n = begin; n < end; ++n) {
+            const int k = box.first.k + static_cast<int>(n);
+            for (int j = box.first.j; j <= box.last.j; ++j) {
+              add_row(found[task], samples + volume.index(0, j, k), volume, box, j, k, name);
+            }
+          }
+        });
   });
   Found all;
   for (const Found& part : found) {

@@ -37,8 +37,8 @@ struct SampleExtent {
 struct LabelSamples {
   std::int64_t label = 0;
   std::uint64_t samples = 0;
-  // In voxels, within the domain box: a sample on a face of the box has half a voxel there, on an
-  // edge a quarter.
+  // In usual voxels, within the domain box: a sample on a face of the box has half a voxel there,
+  // on an edge a quarter.
   double volume = 0;
   Index3 first, last;  // of the smallest box around them
   double weight = 0;   // of its indicator (io/filter/label_fields.h); 0: not known

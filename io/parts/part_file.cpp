@@ -193,9 +193,8 @@ Grid PartFile::shape() const {
 }
 
 bool PartFile::is_of(const Grid& field, double level) const {
-  return dims == field.dims() && spacing == field.spacing() &&
-         places == field.all_places() && type == field.type() &&
-         frame == field.frame() && isovalue == level;
+  return dims == field.dims() && spacing == field.spacing() && places == field.all_places() &&
+         type == field.type() && frame == field.frame() && isovalue == level;
 }
 
 std::string part_bytes(PartFile part) {

@@ -322,7 +322,8 @@ class DicomParser {
       if (element.tag != tag) continue;
       plane.moment[n] = moment_at(element);
       constexpr double kDay = 1e6;  // behind HHMMSS
-      if (plane.moment[n] && n >= kTimes && n < kTimes + kDays.size()) *plane.moment[n] += kDay * plane.days[n - kTimes];
+      if (plane.moment[n] && n >= kTimes && n < kTimes + kDays.size())
+        *plane.moment[n] += kDay * plane.days[n - kTimes];
     }
   }
 

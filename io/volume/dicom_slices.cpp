@@ -25,8 +25,8 @@ constexpr double kMostAside = 0.1, kUnevenSteps = 0.005;
 constexpr double kWideGap = 1.5;
 constexpr std::size_t kWideGapsInRow = 3;
 
-// Places that scatter by a length about a line come from slices whose whole shift may be an error of
-// this many such lengths.
+// Places that scatter by a length about a line come from slices whose whole shift may be an error
+// of this many such lengths.
 constexpr double kShiftOfScatter = 2;
 
 std::string base_name(const DicomFile& file) {
@@ -203,10 +203,11 @@ void find_missing_slices(const VolumeInput& input, const std::vector<DicomSlice>
   for (std::size_t begin = 0, end = 0; begin < gaps.size(); begin = end + 1) {
     for (end = begin; end < gaps.size() && gaps[end] > kWideGap * usual;) ++end;
     if (begin == end || end - begin >= kWideGapsInRow) continue;
-    const DicomSlice& here = slices[begin + 1];
-    input.note("slices seem to be missing before '", here.name(), "': it lies ",
-               rounded_length(gaps[begin]), ", where others have ", rounded_length(usual), ", from ",
-               name_beside(here, slices[begin]), "; the mesh has nothing of what they show");
+    const DicomSlice &here = slices[begin + 1], &before = slices[begin];
+    input.note("slices seem to be missing between ", name_beside(here, before), " and ",
+               name_beside(before, here), ", which lie ", rounded_length(gaps[begin]),
+               " apart, where others have ", rounded_length(usual),
+               ": the mesh has nothing of what they show");
   }
 }
 

@@ -241,8 +241,8 @@ Coordinates read_coordinates(const std::string& path) {
     const std::size_t axis = std::string_view("xyz").find(line[0]);
     const std::optional<std::vector<double>> numbers = to_doubles(line.substr(1));
     if (axis == std::string_view::npos || !numbers || numbers->size() < 2) {
-      fail(path, "has a line that is no x, y or z with two or more numbers: ",
-           quote(line.substr(0, 40)));
+      fail(path,
+           "has a line that is no x, y or z with two or more numbers: ", quote(line.substr(0, 40)));
     }
     if (!coordinates[axis].empty()) fail(path, "has the coordinates along ", line[0], " twice");
     coordinates[axis] = *numbers;

@@ -23,7 +23,10 @@ class VtiParser {
  public:
   // `kind`: of the data set, which the file names.
   VtiParser(const VolumeInput& input, std::string_view kind)
-      : input_(input), grid_(grid_of(input)), kind_(kind), xml_(input.bytes, kind, "can be meshed") {}
+      : input_(input),
+        grid_(grid_of(input)),
+        kind_(kind),
+        xml_(input.bytes, kind, "can be meshed") {}
 
   Volume run() {
     grid_.byte_order = xml_.byte_order();
@@ -166,7 +169,8 @@ Volume read_vti(const VolumeInput& input) {
     fail(input.name(), "is a VTK file of type ", quote(type), ": ",
          conversion_by_vtk(kVtkXmlReader, kVtkResample));
   }
-  if ((type == "ImageData" || type == kRectilinear) && !compressor.empty() && compressor != "vtkZLibDataCompressor") {
+  if ((type == "ImageData" || type == kRectilinear) && !compressor.empty() &&
+      compressor != "vtkZLibDataCompressor") {
     fail(input.name(), "is compressed by ", quote(compressor), ": ",
          conversion_by_vtk(kVtkXmlReader));
   }

@@ -309,7 +309,8 @@ Volume volume_from_slices(
     const SampleGrid& grid,
     const std::function<void(std::size_t k, std::span<std::byte> out)>& write_slice) {
   const std::size_t size = static_cast<std::size_t>(data_size(grid));
-  const Roi roi = region(grid, whole_grid(grid));  // a fault of the geometry is found before the work
+  const Roi roi =
+      region(grid, whole_grid(grid));  // a fault of the geometry is found before the work
   const std::size_t slice = size / static_cast<std::size_t>(grid.dims[2]);
   // Not initialized: the system gives memory to the pages that are written.
   Buffer buffer(size);

@@ -34,8 +34,8 @@ Index3 voxel_beyond(const Block& block, const BoundaryLoop& loop, std::size_t i,
   const BoxFace face = loop[i].face;
   Index3 voxel;
   for (int axis = 0; axis < 3; ++axis) {
-    voxel[axis] = std::clamp(static_cast<int>(shape.in_all_samples(middle, axis)), block.box.begin[axis],
-                             block.box.end[axis] - 1);
+    voxel[axis] = std::clamp(static_cast<int>(shape.in_all_samples(middle, axis)),
+                             block.box.begin[axis], block.box.end[axis] - 1);
   }
   const int across = axis_of(face);
   voxel[across] = (face & 1) != 0 ? block.box.end[across] : block.box.begin[across] - 1;

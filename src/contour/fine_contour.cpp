@@ -123,7 +123,8 @@ ContourMesh fine_contour(ContourMesh&& begun, const Volume& volume, double kappa
                             split.voxels.size(), vertices);
     contour = build_contour(volume, kappa, split);
   }
-  if (contour.split_voxels > 0 && perturb_coincident(contour, kPerturbationVoxels * std::min({least.x, least.y, least.z}))) {
+  if (contour.split_voxels > 0 &&
+      perturb_coincident(contour, kPerturbationVoxels * std::min({least.x, least.y, least.z}))) {
     contour.crossed_voxels = crossed_voxels(contour, {});
   }
   return contour;

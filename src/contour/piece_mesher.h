@@ -36,11 +36,7 @@ constexpr int kThinSamples = 2;
 class PieceMesher final : public ContourSink {
  public:
   PieceMesher(ContourMesh& mesh, const Volume& volume, double kappa)
-      : mesh_(mesh),
-        volume_(volume),
-        kappa_(kappa),
-        dims_(volume.dims()),
-        first_(volume.first()) {}
+      : mesh_(mesh), volume_(volume), kappa_(kappa), dims_(volume.dims()), first_(volume.first()) {}
 
   // Returns the position of a sample, in voxels.
   Vec3 place(Index3 sample) const { return to_vec3(first_ + sample); }

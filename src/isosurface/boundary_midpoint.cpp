@@ -66,7 +66,7 @@ class FaceLine {
   double next_place(const double* places, int axis, double t) const {
     const double d = direction_[axis];
     int n = gap_at(places, volume_.dims()[axis], from_[axis] + t * d) + (d > 0 ? 1 : 0);
-    for (; d != 0 && 0 <= n && n < volume_.dims()[axis]; n += d > 0 ? 1 : -1) {
+    for (; d != 0 && 0 <= n && n<volume_.dims()[axis]; n += d> 0 ? 1 : -1) {
       const double candidate = (places[n] - from_[axis]) / d;
       if (candidate > t) return candidate;
     }

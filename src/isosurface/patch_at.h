@@ -36,7 +36,8 @@ class PatchAt {
   Vec3 p_;
   TrilinearPatch patch_;
   Vec3 per_side_;  // of the voxel
-  // In units of the voxel. `u_` lies in the voxel; `room_`: from the point to the voxel's nearer face.
+  // In units of the voxel. `u_` lies in the voxel; `room_`: from the point to the voxel's nearer
+  // face.
   Vec3 u_, room_;
   double value_;  // less kappa
   Vec3 slope_;

@@ -65,8 +65,8 @@ inline Vec3 point_at(const VoxelSpan& span, double s, const Volume& volume) {
     return n + greater(smaller(u0 + s * (u1 - u0), 1.0), 0.0);
   };
   return volume.at_samples(Vec3{along(voxel.i, span.u0.x, span.u1.x),
-                                  along(voxel.j, span.u0.y, span.u1.y),
-                                  along(voxel.k, span.u0.z, span.u1.z)});
+                                along(voxel.j, span.u0.y, span.u1.y),
+                                along(voxel.k, span.u0.z, span.u1.z)});
 }
 
 }  // namespace deliso

@@ -139,9 +139,8 @@ class LatticeLine {
   // The position gives a guess; the crossings correct it (L2). pre: t is in the range of lo .. hi.
   int index_after(std::size_t axis, double t, int lo, int hi) const {
     const double position = origin_[axis] + t * direction_[axis];
-    int n = planes_[axis]
-                ? lo + gap_at(planes_[axis] + lo, hi - lo + 1, position)
-                : static_cast<int>(greater(smaller(position, hi - 1.0), lo));
+    int n = planes_[axis] ? lo + gap_at(planes_[axis] + lo, hi - lo + 1, position)
+                          : static_cast<int>(greater(smaller(position, hi - 1.0), lo));
     const int step = 2 * ahead_[axis] - 1;
     while (leave(axis, n) <= t && lo <= n + step && n + step < hi) n += step;
     while (enter(axis, n) > t && lo <= n - step && n - step < hi) n -= step;
@@ -251,8 +250,8 @@ class VoxelUnits {
     }
   }
 
-  // Returns a point (scaled frame) in the units of lines. If it is in the volume's box it is also in
-  // the box of voxels, whatever the spacing's rounding.
+  // Returns a point (scaled frame) in the units of lines. If it is in the volume's box it is also
+  // in the box of voxels, whatever the spacing's rounding.
   Vec3 point(const Vec3& p) const {
     const auto in_voxels = [&](int axis) {
       const double u = p[axis] * per_spacing_[axis] - first_[axis];

@@ -97,6 +97,13 @@ double Grid::at_between_places(const double* at, double u, int axis) const {
   return share < 1 ? std::min(x, at[n + 1]) : x;
 }
 
+double Grid::share_at(int axis, int sample) const {
+  const double* at = places(axis);
+  const int last = dims_[axis] - 1;
+  if (!at) return sample == 0 || sample == last ? 0.5 : 1;
+  return (at[std::min(sample + 1, last)] - at[std::max(sample - 1, 0)]) / (2 * spacing_[axis]);
+}
+
 bool Grid::is_on_plane(const Vec3& p, int axis) const {
   const double* at = places(axis);
   if (at) return std::binary_search(at, at + dims_[axis], p[axis]);

@@ -124,8 +124,8 @@ class Grid {
     part.dims_ = dims;
     return part;
   }
-  // Returns these samples of it as a grid of their own, which begins with the first of them. A usual
-  // voxel stays that of the whole.
+  // Returns these samples of it as a grid of their own, which begins with the first of them. A
+  // usual voxel stays that of the whole.
   Grid cropped(Index3 first, Index3 dims) const;
   // Returns the larger grid; of what is no block, the grid itself.
   Grid whole() const { return part({}, whole_); }
@@ -171,6 +171,13 @@ class Grid {
   Vec3 sides(Index3 voxel) const {
     return places_ ? position(corner_of(voxel, 7)) - position(voxel) : spacing_;
   }
+  // Returns a voxel's volume, and the length along an axis that is nearer to a sample than to
+  // others, both in those of a usual voxel.
+  double share_of(Index3 voxel) const {
+    const Vec3 s = sides(voxel);
+    return places_ ? s.x * s.y * s.z / (spacing_.x * spacing_.y * spacing_.z) : 1;
+  }
+  double share_at(int axis, int sample) const;
   // Return a coordinate in samples along an axis, counted from the block's first one. Beyond the
   // block the steps are those of its last voxel.
   double in_samples(const Vec3& p, int axis) const {

@@ -174,7 +174,8 @@ Volume Volume::from_samples(const Grid& grid, const std::vector<T>& samples) {
                      samples.size());
   }
   const auto owner = std::make_shared<const std::vector<T>>(samples);
-  return {grid.of_type(sample_type_of<T>()), reinterpret_cast<const std::byte*>(owner->data()), owner};
+  return {grid.of_type(sample_type_of<T>()), reinterpret_cast<const std::byte*>(owner->data()),
+          owner};
 }
 
 template <class F>

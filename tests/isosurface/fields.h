@@ -75,13 +75,12 @@ inline std::vector<TestField> test_fields() {
       sampled<std::uint8_t>({160, 3, 4}, {1, 2, 1}, [&](int, int, int) { return random.below(9); }),
       1.5));
   // Samples at places of their own, along two axes.
-  const Volume even = sampled<std::uint8_t>({9, 8, 12}, {1, 2, 1},
-                                            [&](int, int, int) { return random.below(9); });
-  fields.push_back(
-      test_field("uneven",
-                 even.with_places({{{}, {0, 1, 1.5, 4, 6, 6.25, 9, 12}, uneven_places(12, random)}},
-                                  "test"),
-                 3.5));
+  const Volume even =
+      sampled<std::uint8_t>({9, 8, 12}, {1, 2, 1}, [&](int, int, int) { return random.below(9); });
+  fields.push_back(test_field(
+      "uneven",
+      even.with_places({{{}, {0, 1, 1.5, 4, 6, 6.25, 9, 12}, uneven_places(12, random)}}, "test"),
+      3.5));
   return fields;
 }
 

@@ -22,7 +22,7 @@ namespace deliso::stress {
 struct OptionVolume {
   std::string_view kind;
   TinyVolume tiny;
-  std::uint32_t labels = 0;  // it is a segmentation with labels 1 .. labels, 0 around them
+  std::uint32_t labels = 0;   // it is a segmentation with labels 1 .. labels, 0 around them
   Coordinates coordinates{};  // for --coordinates: of one axis or more
 };
 

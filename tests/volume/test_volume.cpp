@@ -205,9 +205,8 @@ TEST_CASE("corner m of a voxel is a sample; voxel_at is clamped to the box") {
 
 TEST_CASE("samples may lie at places of their own along an axis") {
   const Coordinates places{{{}, {0, 1, 1.5, 4}, {0, 2, 2.25, 7, 8, 8.125}}};
-  const Volume even = sampled<float>({3, 4, 6}, {0.5, 1, 1}, [](int i, int j, int k) {
-    return 3 * i - 2 * j * k + k * k;
-  });
+  const Volume even = sampled<float>({3, 4, 6}, {0.5, 1, 1},
+                                     [](int i, int j, int k) { return 3 * i - 2 * j * k + k * k; });
   const Volume volume = even.with_places(places, "test");
   CHECK(volume.spacing() == Vec3{0.5, 1, 1});
   CHECK(volume.least_spacing() == Vec3{0.5, 0.5, 0.125});

@@ -192,7 +192,7 @@ TEST_CASE("a sheared grid is read, with a note") {
 
 TEST_CASE("a rectilinear grid of VTK has its coordinates, in text and in bytes") {
   const TemporaryFolder folder;
-  const auto file = [&](const std::string& coordinates, const std::string& more = "") {
+  const auto file = [&](const std::string& coordinates) {
     std::string samples;
     for (int n = 0; n < 24; ++n) samples += text(n * n % 17, " ");
     return folder.write(
@@ -200,7 +200,8 @@ TEST_CASE("a rectilinear grid of VTK has its coordinates, in text and in bytes")
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"RectilinearGrid\" version=\"0.1\" "
         "byte_order=\"LittleEndian\">\n<RectilinearGrid WholeExtent=\"5 7 0 1 -3 0\">\n<Piece "
         "Extent=\"5 7 0 1 -3 0\"><PointData Scalars=\"a\"><DataArray type=\"Int16\" Name=\"a\" "
-        "format=\"ascii\">" + samples + "</DataArray></PointData><Coordinates>" + coordinates +
+        "format=\"ascii\">" +
+            samples + "</DataArray></PointData><Coordinates>" + coordinates +
             "</Coordinates></Piece></RectilinearGrid></VTKFile>\n");
   };
   const auto array = [](const char* numbers) {
