@@ -92,13 +92,12 @@ void write_labels(std::vector<MeshObject> objects, std::span<const std::int64_t>
 
 int run_labels(const CommandLine& line) {
   const Stopwatch all;
-  ProgressBar reading(mesh_stages(line), !line.quiet);
-  reading.show("reading", 0);
+  ProgressBar progress(mesh_stages(line), !line.quiet);
+  progress.show("reading", 0);
   Source source = read_source(line);
-  reading.clear();
-  print_warning(source.warning, line);
+  progress.tell(source.log.notes);
   const std::vector<CommandLine> lines = lines_of_labels(line, source);
-  if (!line.shared.empty()) return run_shared(all, source, line, lines);
+  if (!line.shared.empty()) return run_shared(all, source, line, lines, progress);
   source.labels = label_fields({source.volume, source.log.ids}, line.field, source.labels,
                                line.input, line.options.threads)
                       .weighed();
@@ -109,11 +108,11 @@ int run_labels(const CommandLine& line) {
   std::vector<std::int64_t> labels, open;
   for (const CommandLine& one : lines) {
     const Stopwatch total;
-    ProgressBar progress(mesh_stages(one), !one.quiet);
+    progress.restart(mesh_stages(one));
     const Input input = input_of(source, one);
     MeshRun run(one, input);
     run.is_one_of_all = true;
-    const TriMesh mesh = mesh_input(run, progress, warner(progress, one));
+    const TriMesh mesh = mesh_input(run, progress);
     write_files(total, progress, run, mesh, in_one_file(line) ? &objects : nullptr);
     labels.push_back(one.field.labels.front());
     if (run.is_open_label()) open.push_back(labels.back());
@@ -127,7 +126,9 @@ int run_labels(const CommandLine& line) {
                      width);
   }
   if (!objects.empty()) write_labels(std::move(objects), labels, line.output);
-  print_warning(border_advice(open), line);
+  Diagnostics notes;
+  advise_of_border(open, notes);
+  progress.tell(notes);
   if (!line.quiet) print_report(table, line.output == "-");
   return all_sound ? kExitSuccess : kFaultFound;
 }

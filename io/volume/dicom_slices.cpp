@@ -74,7 +74,8 @@ double distance_of_slices(const VolumeInput& input, const DicomSlice& slice) {
          slice.file->frame_count > 1 ? "frames" : "slices", " (SpacingBetweenSlices)",
          kGiveSpacing);
   }
-  input.note("does not tell the distance of its slices: it is taken to be their thickness, ",
+  input.warn("slice-distance-guessed",
+             "does not tell the distance of its slices: it is taken to be their thickness, ",
              *plane.thickness);
   return *plane.thickness;
 }
@@ -172,14 +173,16 @@ std::vector<DicomSlice> sorted_slices(const VolumeInput& input,
   if (std::ranges::all_of(slices, has(&DicomPlane::location))) {
     place(slices, PlacedBy::location, input, undirected);
     if (are_apart()) {
-      input.note("has no positions of its slices: they are placed by SliceLocation");
+      input.note("slices-by-location",
+                 "has no positions of its slices: they are placed by SliceLocation");
       return slices;
     }
   }
   std::ranges::stable_sort(slices, {}, [](const DicomSlice& slice) {
     return std::pair(slice.plane().instance_number(), with_long_numbers(slice.file->name()));
   });
-  input.note("has no positions of its slices: they are read in the order of their ",
+  input.warn("slices-by-order",
+             "has no positions of its slices: they are read in the order of their ",
              slices[0].plane().instance_number() ? "InstanceNumber" : "files' names");
   place(slices, PlacedBy::order, input, undirected);
   return slices;
@@ -238,8 +241,8 @@ void set_step(DicomStack& stack, const VolumeInput& input) {
   if (is_even || input.options.spacing) {
     grid.steps[2] = whole / count;
     if (worst > kNotedSteps * length(grid.steps[2])) {
-      input.note("slices lie up to ", rounded_length(worst), " from the even steps of ",
-                 rounded_length(length(grid.steps[2])),
+      input.note("slices-off-steps", "slices lie up to ", rounded_length(worst),
+                 " from the even steps of ", rounded_length(length(grid.steps[2])),
                  input.options.spacing ? ", and are read as they are, by --spacing"
                                        : " with which they are read");
     }
@@ -285,7 +288,8 @@ DicomStack stack_of(const VolumeInput& input, const std::vector<DicomFile>& file
     const char* missing = given.position     ? "orientation"
                           : given.directions ? "position"
                                              : "position and orientation";
-    input.note("does not tell its ", missing, ": world coordinates are not the patient's");
+    input.warn("orientation-unknown", "does not tell its ", missing,
+               ": world coordinates are not the patient's");
   }
   return stack;
 }

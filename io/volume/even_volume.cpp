@@ -33,7 +33,7 @@ Volume resampled_evenly(const VolumeInput& input, SampleGrid grid,
     most = std::max(most, places[n] - places[n - 1]);
   }
   const double step = length(grid.steps[2]);
-  input.note("slices are uneven, from ", rounded_length(least * step), " to ",
+  input.note("slices-uneven", "slices are uneven, from ", rounded_length(least * step), " to ",
              rounded_length(most * step), " apart: they are interpolated in even steps of ",
              rounded_length(step), ", as ", name_of(grid.type));
   const Index3 dims = slices.dims();

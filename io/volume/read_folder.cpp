@@ -79,7 +79,8 @@ Volume read_folder(const VolumeInput& input) {
   if (!others.empty()) {
     const std::string first = std::filesystem::path(others[0]).filename().string();
     const std::size_t more = others.size() - 1;
-    input.note("passed over '", first, more > 0 ? text("' and ", more, " more") : "'", ": no ",
+    input.note("files-passed-over", "passed over '", first,
+               more > 0 ? text("' and ", more, " more") : "'", ": no ",
                dicom.empty() ? "TIFF" : "DICOM", " images");
   }
   if (dicom.empty()) {

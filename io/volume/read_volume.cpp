@@ -104,8 +104,10 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
 }
 
 void note_place(const VolumeInput& input) {
-  if (input.options.spacing) input.note("the spacing is that of --spacing, whatever the file says");
-  if (input.options.origin) input.note("the origin is that of --origin, whatever the file says");
+  if (input.options.spacing)
+    input.note("spacing-given", "the spacing is that of --spacing, whatever the file says");
+  if (input.options.origin)
+    input.note("origin-given", "the origin is that of --origin, whatever the file says");
 }
 
 std::vector<NamedSegment> read_segments(const std::string& path) {

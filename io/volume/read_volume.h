@@ -58,6 +58,7 @@
 #include <vector>
 
 #include "base/check.h"
+#include "base/diagnostics.h"
 #include "base/vec3.h"
 #include "io/files/expansion_budget.h"
 #include "io/files/input_file.h"
@@ -132,7 +133,7 @@ struct NamedSegment {
 
 // Facts about the reading, beside the volume.
 struct ReadLog {
-  std::vector<std::string> notes;      // for the user, one line each
+  Diagnostics notes;                   // and warnings, for the user
   std::vector<FileState> files;        // all that the volume is made of, header and data
   std::vector<NamedArray> arrays;      // of formats that name theirs (VTK)
   std::vector<NamedSegment> segments;  // of the channel that was read
@@ -146,17 +147,34 @@ struct ReadLog {
   }
 };
 
-// Thrown for a file of several channels or times, if the options choose none.
-struct SeveralVolumes : InputError {
-  using InputError::InputError;
+struct VolumeCounts {
+  std::int64_t channels = 1, times = 1;
 };
 
-// Thrown for a folder of several series, if the options name none of them. A line for each, which
-// --series counts from 1.
+// Thrown for a file of several channels or times, if the options choose none.
+struct SeveralVolumes : InputError {
+  SeveralVolumes(const VolumeCounts& several, const std::string& name, const std::string& message)
+      : InputError(name, ": ", message), counts(several), words(message) {}
+  VolumeCounts counts;
+  std::string words;  // without the file's name
+};
+
+// A series of a folder, or what of it may be one volume.
+struct FoundSeries {
+  std::string description{}, file{};  // of the series; its first file, within the folder
+  std::int64_t images = 0, columns = 0, rows = 0;
+  std::string doubt{};  // why the images may be no volume, as "no positions"; or empty
+};
+// Returns "'CT head', 30 images of 512 x 512 ('a/001')" or the like.
+std::string text_of(const FoundSeries& series);
+
+// Thrown for a folder of several series, if the options name none of them. --series counts them
+// from 1.
 struct SeveralSeries : InputError {
-  SeveralSeries(std::vector<std::string> lines, const auto&... message)
-      : InputError(message...), series(std::move(lines)) {}
-  std::vector<std::string> series;
+  SeveralSeries(std::vector<FoundSeries> found, const auto&... message)
+      : InputError(message...), series(std::move(found)) {}
+  std::vector<FoundSeries> series;
+  std::vector<std::string> paths{};  // of all files of the folder
 };
 
 // Returns the volume of `input`: a path of a file or of a folder of slices (DICOM, TIFF), "-"

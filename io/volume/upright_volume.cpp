@@ -82,7 +82,8 @@ Volume resampled_upright(const VolumeInput& input, const SampleGrid& grid, const
   const bool is_small = upright.type == SampleType::f32;
   const double least = value_range(slices, input.name()).min;
   const double cosine = length(upright.steps[2]) / length(grid.steps[2]);
-  input.note("slices are shifted against each other, as by a gantry that is tilted by ",
+  input.note("slices-tilted",
+             "slices are shifted against each other, as by a gantry that is tilted by ",
              std::round(std::acos(std::min(1.0, cosine)) * 1800 / 3.14159265358979) / 10,
              " degrees: they are resampled upright, as ", name_of(upright.type), ", with ", least,
              " beyond their edges");

@@ -35,7 +35,6 @@ from . import (
     _require_three,
     _required,
     _unmasked,
-    _warned,
     _watched,
     _whole,
     _with_options,
@@ -189,7 +188,7 @@ def join(
     options   threads, float, check, allow_empty
     """
     place = spacing, origin, direction, space
-    return _warned(_joined(parts, array, place, progress, options))
+    return _joined(parts, array, place, progress, options)
 
 
 def _joined(parts, array, place, progress, options):
@@ -265,7 +264,7 @@ def mesh_blocks(
             for n in range(parts)
         ]
     joining = _between(_PARTS_SHARE, 1, show)
-    return _warned(_joined(made, array, tuple(place.values()), joining, of_join))
+    return _joined(made, array, tuple(place.values()), joining, of_join)
 
 
 def _between(begin, end, show):

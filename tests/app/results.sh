@@ -461,7 +461,7 @@ for label in 0 all; do
   "$deliso" gray.raw --dims 12x12x12 --type uint8 --label $label -o gray-%d.ply >stdout 2>stderr || :
   holds "--label of a gray image warns once" [ "$(grep -c . stderr)" -eq 1 ]
   holds "with the isovalue" \
-    grep -q '^deliso: warning: gray.raw looks like a gray image, not like labels: try --iso ' stderr
+    grep -q '^deliso: warning: gray.raw: looks like a gray image, not like labels: try --iso ' stderr
 done
 "$deliso" gray.raw --dims 12x12x12 --type uint8 --label 0 -o gray.ply -q 2>stderr || :
 holds "unless it is quiet" empty stderr

@@ -49,8 +49,8 @@ std::vector<std::string> warnings(const ByteAt& at, const std::string& options,
     const Input input = read_input(line);
     MeshRun run(line, input);
     ProgressBar none(mesh_stages(line), false);
-    const TriMesh made =
-        mesh_input(run, none, [&](const std::string& warning) { lines.push_back(warning); });
+    const TriMesh made = mesh_input(run, none);
+    lines = warnings_of(run.notes);
     if (mesh) *mesh = made;
   } catch (const InputError& error) {
     lines.emplace_back(error.what());
@@ -110,9 +110,12 @@ TEST_CASE("a label that the border cuts is told of, with the option that closes 
   CHECK(warnings(around, "--label 1") ==
         Lines{"the mesh of label 1 is open at the volume's border: --cap closes it"});
   CHECK(warnings(around, "--label 1 --cap") == Lines{});
-  CHECK(border_advice(std::vector<std::int64_t>{}).empty());
-  CHECK(border_advice(std::vector<std::int64_t>{2, 5}) ==
-        "the meshes of labels 2, 5 are open at the volume's border: --cap closes them");
+  Diagnostics notes;
+  advise_of_border(std::vector<std::int64_t>{}, notes);
+  CHECK(notes.empty());
+  advise_of_border(std::vector<std::int64_t>{2, 5}, notes);
+  CHECK(warnings_of(notes) ==
+        Lines{"the meshes of labels 2, 5 are open at the volume's border: --cap closes them"});
 }
 
 // It was refused with "no surface", where --shared gives the block.

@@ -149,7 +149,6 @@ TEST_CASE("arrays: a ball in the world, with normals that point outwards") {
     }
     CHECK(volume_inside == doctest::Approx(4.18879 * 7.5 * 7.5 * 7.5 * 1.25).epsilon(0.05));
     CHECK(std::strstr(deliso_mesh_report(mesh.get), "\"topology_exact\": true"));
-    CHECK(std::string(deliso_mesh_warnings(mesh.get)).empty());
   }
 }
 
@@ -344,15 +343,13 @@ TEST_CASE("a mesh made of another's data is the same") {
     CHECK(data.vertices == deliso_mesh_vertices(mesh.get, nullptr));
     CHECK(data.triangles == deliso_mesh_triangles(mesh.get, nullptr));
     REQUIRE(deliso_mesh_from_data(&data, &copy.get) == DELISO_OK);
-    const std::string expected = saved(mesh.get), report = deliso_mesh_report(mesh.get),
-                      warnings = deliso_mesh_warnings(mesh.get);
+    const std::string expected = saved(mesh.get), report = deliso_mesh_report(mesh.get);
     std::size_t count = 0;
     const double* const normals = deliso_mesh_normals(mesh.get, &count);
     const std::vector<double> expected_normals(normals, normals + 3 * count);
     deliso_mesh_free(std::exchange(mesh.get, nullptr));
     CHECK(saved(copy.get) == expected);
     CHECK(deliso_mesh_report(copy.get) == report);
-    CHECK(deliso_mesh_warnings(copy.get) == warnings);
     REQUIRE(deliso_mesh_get_data(copy.get, &data) == DELISO_OK);
     CHECK(std::equal(expected_normals.begin(), expected_normals.end(), data.normals,
                      data.normals + 3 * data.vertex_count));
@@ -374,7 +371,7 @@ TEST_CASE("data that is no mesh is refused, and one without normals has none") {
   deliso_mesh_data got;
   REQUIRE(deliso_mesh_get_data(mesh.get, &got) == DELISO_OK);
   CHECK(got.normals == nullptr);
-  CHECK(std::string(got.report) + got.warnings + got.comment == "");
+  CHECK(std::string(got.report) + got.comment == "");
   CHECK(got.first_cap == SIZE_MAX);
 
   const auto refusal_of = [&](auto spoil) {
@@ -411,7 +408,6 @@ TEST_CASE("null is a mesh without vertices, triangles and texts") {
   CHECK(count == 0);
   CHECK(deliso_mesh_vertices(nullptr, nullptr) == nullptr);
   CHECK(std::string(deliso_mesh_report(nullptr)).empty());
-  CHECK(std::string(deliso_mesh_warnings(nullptr)).empty());
   CHECK(deliso_mesh_save(nullptr, "mesh.ply") == DELISO_BAD_INPUT);
   deliso_mesh_free(nullptr);
   deliso_volume_free(nullptr);

@@ -89,7 +89,8 @@ TEST_CASE("without a name the first array that can be meshed is read and logged"
     const Outcome first = read(folder, "v.vtk", vtk_of_many(binary), std::nullopt);
     CHECK(first.first == 10);
     REQUIRE(first.log.notes.size() == 1);
-    CHECK(first.log.notes[0].ends_with("array 'density' is read, one of 8; --array names another"));
+    CHECK(first.log.notes[0].words.ends_with(
+        "array 'density' is read, one of 8; --array names another"));
     std::string names;
     for (const NamedArray& array : first.log.arrays)
       names += array.name + " " + array.type + " " + to_text(array.components) +
@@ -102,7 +103,8 @@ TEST_CASE("without a name the first array that can be meshed is read and logged"
   CHECK(first.first == 100);
   CHECK(first.log.arrays.size() == 3);
   REQUIRE(first.log.notes.size() == 1);
-  CHECK(first.log.notes[0].ends_with("array 'density' is read, one of 3; --array names another"));
+  CHECK(first.log.notes[0].words.ends_with(
+      "array 'density' is read, one of 3; --array names another"));
 }
 
 TEST_CASE("unknown names, arrays that cannot be meshed and formats without names are refused") {

@@ -350,7 +350,7 @@ TEST_CASE("Slicer's segments are those that its file names") {
   REQUIRE(log.segments.size() == 1);
   CHECK(log.segments[0].name == "Tumor");
   REQUIRE(log.notes.size() == 1);
-  CHECK(log.notes[0].ends_with(
+  CHECK(log.notes[0].words.ends_with(
       "names segments, which --label takes: 'Liver', 'left kidney', 'Tumor'"));
   // Before Slicer 4.11: a layer for each.
   const std::string old =
