@@ -27,6 +27,12 @@ std::string numbers_of(const Vec3& v) {
   return text(v.x, " ", v.y, " ", v.z);
 }
 
+// Returns the type of the samples, in the file if they stand for ids.
+std::string_view type_name(const Input& input) {
+  return name_of(input.log.ids.empty() || input.field.label ? StoredType(input.grid().type())
+                                                            : input.log.type_of_ids);
+}
+
 // Warns if the user wants labels of a volume that looks like a gray image.
 void warn_of_gray_image(const CommandLine& line, const Volume& volume, const ValueRange& range,
                         ReadLog& log) {
@@ -109,6 +115,7 @@ Source read_source(const CommandLine& line, std::vector<std::string> others) {
 
 Source source_of(Volume volume, ReadLog log, const CommandLine& line) {
   const Stopwatch watch;
+  for (const Diagnostic& item : line.notes) add_to(log.notes, item);
   if (line.field.nan) {
     std::uint64_t count = 0;
     volume = without_nan(volume, *line.field.nan, count);
@@ -140,7 +147,16 @@ Input read_input(const CommandLine& line, std::vector<std::string> others) {
   return input_of(read_source(line, std::move(others)), line);
 }
 
-void turn_to(AnatomicalSpace space, Input& input) {
+void warn_of_space(AnatomicalSpace space, const CommandLine& line, Diagnostics& notes) {
+  const AnatomicalSpace asked = line.read.space;
+  constexpr AnatomicalSpace unknown = AnatomicalSpace::unknown;
+  if (asked == unknown || space == unknown || asked == space) return;
+  add_warning(notes, "space-differs", "", "the mesh names the space ", short_name_of(space),
+              ", which stands: --space ", short_name_of(asked), " has no effect");
+}
+
+void turn_to(AnatomicalSpace space, const CommandLine& line, Input& input) {
+  warn_of_space(space, line, input.log.notes);
   const Frame turned = input.grid().frame().in_space(space);
   input.field.source = source_of(input.volume().with_frame(turned));
 }
@@ -158,7 +174,7 @@ std::string input_text(const Input& input) {
   };
   std::string lines =
       text("volume    ", one_line(input.name), "\n          ", dims.i, " x ", dims.j, " x ", dims.k,
-           " ", name_of(volume.type()), ", spacing ", numbers_of(volume.spacing()));
+           " ", type_name(input), ", spacing ", numbers_of(volume.spacing()));
   // A note has the ids.
   if (input.range && (input.log.ids.empty() || input.field.label)) {
     lines += ", samples " + sample_text(input.range->min) + " to " + sample_text(input.range->max);
@@ -188,8 +204,11 @@ void add_input(ReportWriter& out, const Input& input) {
   out.open("volume", "what was read");
   out.add("input", input.name, "as it was given: a path, builtin:NAME, or - for standard input");
   out.add("dims", volume.dims(), "samples along x, y and z", Rule::positive);
-  out.add_choice("type", static_cast<std::size_t>(volume.type()), names_up_to(SampleType::f64),
-                 "of a sample");
+  std::vector<std::string> types = names_up_to(SampleType::f64);
+  types.insert(types.end(), {"int64", "uint64"});
+  const auto type = std::ranges::find(types, type_name(input)) - types.begin();
+  out.add_choice("type", static_cast<std::size_t>(type), types,
+                 "of a sample; int64 and uint64 are held as numbers of ids");
   out.add("spacing", volume.spacing(), "between samples along x, y and z; world units");
   out.add("origin", at.origin, "of the first sample; world units");
   out.add("axis_x", at.axes[0], "the direction of the volume's x axis in the world");

@@ -54,8 +54,10 @@ Source read_source(const CommandLine& line, std::vector<std::string> others = {}
 Source source_of(Volume volume, ReadLog log, const CommandLine& line);
 Input input_of(const Source& source, const CommandLine& line);
 
-// Turns the volume to the space that a mesh names, if it names one itself.
-void turn_to(AnatomicalSpace space, Input& input);
+// Turns the volume to the space that a mesh names, if it names one itself; and warns if the line
+// asks for another one.
+void turn_to(AnatomicalSpace space, const CommandLine& line, Input& input);
+void warn_of_space(AnatomicalSpace space, const CommandLine& line, Diagnostics& notes);
 
 // Returns why there is no surface at the isovalue: the range of the samples.
 std::string no_surface_text(double isovalue, const ValueRange& range);

@@ -43,7 +43,7 @@ int run_check(const CommandLine& line) {
   MeshNotes notes;
   TriMesh mesh = read_mesh(line.meshes.front(), &notes);
   Input input = read_input(line, line.meshes);
-  turn_to(mesh.frame.space, input);
+  turn_to(mesh.frame.space, line, input);
   const std::string asked = field_note(line.field, input.grid());
   const auto made = noted_field(notes.comments);
   if (made && *made != asked) {

@@ -37,13 +37,8 @@ std::string name_with(std::string name, std::int64_t label) {
 
 std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& source) {
   std::vector<CommandLine> lines;
-  std::vector<std::string> files = source.log.paths();
+  const std::vector<std::string> files = source.log.paths();
   const bool shared = !line.shared.empty();
-  if (shared) {
-    require_outputs(std::array{line.shared, line.json}, files);
-    files.push_back(line.shared);
-    if (line.json != "-") files.push_back(line.json);
-  }
   for (const LabelSamples& found : source.labels) {
     if (found.label == 0) continue;
     CommandLine one = line;
@@ -58,7 +53,7 @@ std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& 
       const bool is_object = in_one_file(line) || line.output.empty();  // or may become one
       if (segment.color && is_object) one.write.label = ObjectLabel{found.label, *segment.color};
     }
-    require_outputs(std::vector{one.output, one.json}, files);
+    require_outputs(std::array{line.shared, shared ? line.json : "", one.output, one.json}, files);
     lines.push_back(std::move(one));
   }
   if (lines.empty()) throw InputError(line.input, ": has no label but 0");

@@ -110,9 +110,9 @@ std::string draw(std::span<const TriMesh> meshes, std::span<const MeshNotes> not
   const AnatomicalSpace space = space_of(meshes);
   if (!line.input.empty()) {
     input = read_input(line);
-    for (const Diagnostic& item : input->log.notes) add_to(told, item);
-    turn_to(space, *input);
+    turn_to(space, line, *input);
   }
+  for (const Diagnostic& item : input ? input->log.notes : line.notes) add_to(told, item);
   FacetColors colors = color_facets(meshes, notes, line, input ? &*input : nullptr);
   const Box3 box = box_of(meshes);
   TriMesh one;

@@ -69,6 +69,9 @@ int run_view(const CommandLine& line) {
   std::optional<Input> input;
   if (!line.input.empty()) {
     input = read_input(line, line.meshes);
+    for (const TriMesh& mesh : meshes) {
+      warn_of_space(mesh.frame.space, line, input->log.notes);
+    }
     print_warnings(input->log.notes);
   }
 

@@ -87,6 +87,17 @@ CommandLine line_of(std::vector<std::string> words, const deliso_volume& volume,
                volume.is_file ? Reads::read_before : Reads::nothing);
 }
 
+// Parses the options of a command about all labels; `words` has them.
+CommandLine line_of_all(std::vector<std::string> words, const deliso_volume& volume,
+                        const char* const* options) {
+  for (const char* const* option = options; option && *option; ++option) {
+    if (std::string_view(*option).starts_with("label")) {
+      throw InputError(quote(*option), ": all labels are meshed, and no option chooses them");
+    }
+  }
+  return line_of(std::move(words), volume, kNoIsovalue, options);
+}
+
 TriMesh tri_mesh_of(const deliso_mesh* mesh) {
   require(mesh, "mesh");
   TriMesh made = make_tri_mesh(mesh->mesh.points, mesh->mesh.triangles);
@@ -213,7 +224,7 @@ deliso_status deliso_mesh_labels(const deliso_volume* volume, const char* const*
   return guarded(watch, [&] {
     require(volume, "volume");
     if (!take) throw InputError("take is null");
-    const CommandLine line = line_of({"mesh", "--label=all"}, *volume, kNoIsovalue, options);
+    const CommandLine line = line_of_all({"mesh", "--label=all"}, *volume, options);
     Source source = ::source_of(*volume, line);
     const std::vector<CommandLine> lines = lines_of_labels(line, source);
     source.labels = label_fields({source.volume, source.log.ids}, line.field, source.labels,
@@ -241,8 +252,7 @@ deliso_status deliso_mesh_shared(const deliso_volume* volume, const char* const*
     require(volume, "volume");
     require(mesh, "mesh");
     const Stopwatch total;
-    CommandLine line =
-        line_of({"mesh", "--label=all", "--shared=array.ply"}, *volume, kNoIsovalue, options);
+    CommandLine line = line_of_all({"mesh", "--label=all", "--shared=array.ply"}, *volume, options);
     WatchedProgress progress(mesh_stages(line), watch);
     line.shared.clear();  // no file is written
     line.write.format.reset();
@@ -497,7 +507,7 @@ deliso_status deliso_check(const deliso_mesh* mesh, const deliso_volume* volume,
     require(volume, "volume");
     const CommandLine line = line_of({"check", "mesh"}, *volume, isovalue, options);
     Input input = deliso::input_of(source_of(*volume, line), line);
-    turn_to(mesh->space, input);
+    turn_to(mesh->space, line, input);
     WatchedProgress progress({{"check", 1}}, watch);
     const CheckRun run =
         check_mesh_in_world(tri_mesh_of(mesh), {{mesh->write.comment}, mesh->notes.rounding}, line,

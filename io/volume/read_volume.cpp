@@ -37,6 +37,12 @@ void refuse_array(const std::string& name, const ReadOptions& options) {
     fail(name, "has no named arrays to take ", quote(*options.array), " of, as VTK files have");
 }
 
+// Throws if another channel or time than the first is chosen, where arrays have names.
+void refuse_volumes(const VolumeInput& input) {
+  if (input.options.channel.value_or(1) == 1 && input.options.time.value_or(1) == 1) return;
+  fail(input.name(), "has named arrays, and no channels or times: --array names one");
+}
+
 Volume read_recognized(const VolumeInput& input) {
   if (input.options.raw) {
     refuse_array(input.name(), input.options);
@@ -47,6 +53,7 @@ Volume read_recognized(const VolumeInput& input) {
   for (const Format& format : kFormats) {
     if (!format.is_of(input.bytes)) continue;
     if (!format.has_named_arrays) refuse_array(input.name(), input.options);
+    if (format.has_named_arrays) refuse_volumes(input);
     if (!format.has_several_volumes) choose_volume(input.name(), input.options, {});
     if (format.read != read_dicom) refuse_series(input.name(), input.options);
     if (format.has_place) note_place(input);

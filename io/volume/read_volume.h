@@ -139,6 +139,7 @@ struct ReadLog {
   std::vector<NamedSegment> segments;  // of the channel that was read
   // If not empty, sample n stands for ids[n], in ascending order (io/volume/wide_integers.h).
   std::vector<std::int64_t> ids;
+  StoredType type_of_ids = StoredType::Wide::i64;  // in the file
 
   std::vector<std::string> paths() const {
     std::vector<std::string> paths;

@@ -101,6 +101,7 @@ SampleType convert(const SampleGrid& grid, const Words<T>& words) {
   }
   note("labels: ", ids.size(), " from ", ids.front(), " to ", ids.back());
   grid.log->ids = ids;
+  grid.log->type_of_ids = grid.type;
   return SampleType::u32;
 }
 

@@ -299,11 +299,15 @@ def _made_by(client, make, array, isovalue, parts, show):
         more["pure"] = False
         if isinstance(array, numpy.ndarray):
             array = client.scatter(array, broadcast=True)
-    futures = [client.submit(make, array, isovalue, n + 1, parts, **more) for n in range(parts)]
+    with _required("client"):
+        submit = client.submit
+    futures = [submit(make, array, isovalue, n + 1, parts, **more) for n in range(parts)]
+    with _required("what the client's submit() gives"):
+        results = [future.result for future in futures]
     made = []
     try:
-        for future in futures:
-            made.append(future.result())
+        for result in results:
+            made.append(result())
             if show:
                 show("parts", _PARTS_SHARE * len(made) / parts)
         return made

@@ -94,6 +94,7 @@ TEST_CASE("floats that equal the isovalue are told of where triangles get thin b
       CHECK(lines == Lines{text("samples equal the isovalue, which makes thin triangles: --iso ",
                                 isovalue - 0.5, " gives better ones")});
     }
+    CHECK(warnings(bowl, text("--quiet --iso ", isovalue), nullptr, true) == lines);
     CHECK(warnings(bowl, text("--iso ", isovalue - 0.5), nullptr, true) == Lines{});
   }
   CHECK(told > 0);
@@ -103,6 +104,7 @@ TEST_CASE("floats that equal the isovalue are told of where triangles get thin b
 TEST_CASE("a label that the border cuts is told of, with the option that closes it") {
   CHECK(warnings(ball(1, 1.4), "--label 1") ==
         Lines{"the mesh of label 1 is open at the volume's border: --cap closes it"});
+  CHECK(warnings(ball(1, 1.4), "--label 1 -q").size() == 1);
   CHECK(warnings(ball(1, 1.4), "--label 1 --cap") == Lines{});
   CHECK(warnings(ball(1, 5.4), "--label 1") == Lines{});
   // All of the border: it is open there, and has no loop.

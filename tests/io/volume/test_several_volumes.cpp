@@ -275,11 +275,13 @@ TEST_CASE("a file of one volume has channel 1 and time 1, in every format") {
     ReadOptions options = stored.options;
     options.channel = options.time = 1;
     CHECK(read_fault(path, options) == "");
+    const bool has_names = stored.label.starts_with("vt");
+    const char* const named = "has named arrays, and no channels or times: --array names one";
     options.channel = 2;
-    CHECK(read_fault(path, options) == "has 1 channel, and no channel 2");
+    CHECK(read_fault(path, options) == (has_names ? named : "has 1 channel, and no channel 2"));
     options.channel.reset();
     options.time = 2;
-    CHECK(read_fault(path, options) == "has 1 time, and no time 2");
+    CHECK(read_fault(path, options) == (has_names ? named : "has 1 time, and no time 2"));
   }
   ReadOptions second;
   second.channel = 2;
