@@ -366,7 +366,7 @@ holds "one part, joined, passes check" "$deliso" check joined.ply "$@" --restric
 } >plateau.nrrd
 told() {
   sed 's/, samples .* to .*//;/^cost /d' report
-  sed '/"seconds": {/,/}/d;/"range": /d;/"peak_memory_bytes": /d;/"diagnostics": /,/^  ]/d;s/,$//' mesh.json
+  sed '/"seconds": {/,/}/d;/"range": /d;/"peak_memory_bytes": /d;/"diagnostics": /,$d;s/,$//' mesh.json
 }
 for options in '--iso 2' '--iso 2 --median 1' '--iso 2 --smooth 0.5vox' '--iso 2 --median 1 --cap' \
   '--label 1' '--label 1 --cap'; do
