@@ -23,14 +23,14 @@ bool is_whole(double x) {
 
 }  // namespace
 
-std::string mask_advice(const Input& input) {
+void advise_of_mask(const Input& input, Diagnostics& notes) {
   const Volume& volume = input.volume();
   const double lo = input.range->min, hi = input.range->max;
   const double isovalue = *input.isovalue, middle = lo + (hi - lo) / 2;
   const bool is_middle = std::abs(isovalue - middle) <= (hi - lo) / 4;
   if (volume.sample_count() < kLeastMask || input.field.is_filtered() || is_middle ||
       !(lo < isovalue && isovalue <= hi)) {
-    return {};
+    return;
   }
   const bool is_mask = volume.visit([&](const auto* samples) {
     return std::all_of(samples, samples + volume.sample_count(), [&](auto sample) {
@@ -38,12 +38,14 @@ std::string mask_advice(const Input& input) {
       return value == lo || value == hi;
     });
   });
-  if (!is_mask) return {};
-  return text("all samples are ", lo, " or ", hi, ", as of a segmentation: --iso ", middle,
-              " is half-way", is_whole(hi) ? text(", --label ", hi, " is smooth") : "");
+  if (!is_mask) return;
+  add_warning(notes, "isovalue-of-mask", "", "all samples are ", lo, " or ", hi,
+              ", as of a segmentation: --iso ", middle, " is half-way",
+              is_whole(hi) ? text(", --label ", hi, " is smooth") : "")
+      .with("isovalue", middle);
 }
 
-std::string tie_advice(const MeshRun& run) {
+void advise_of_ties(MeshRun& run) {
   const std::optional<Volume>& volume = run.input.field.source.in_memory;
   const double isovalue = *run.input.isovalue;
   // Of integers the level lies off all samples (geometric_isovalue()).
@@ -51,7 +53,7 @@ std::string tie_advice(const MeshRun& run) {
   const bool is_float = type == SampleType::f32 || type == SampleType::f64;
   if (!volume || run.input.field.label || !is_float || run.triangles == 0 ||
       run.quality.min_angle >= kThinAngle || !is_whole(isovalue)) {
-    return {};
+    return;
   }
   bool equal = false;
   double below = -std::numeric_limits<double>::infinity();
@@ -62,16 +64,20 @@ std::string tie_advice(const MeshRun& run) {
       if (value < isovalue) below = std::max(below, value);
     }
   });
-  if (!equal || !std::isfinite(below) || !is_whole(below)) return {};
-  return text("samples equal the isovalue, which makes thin triangles: --iso ",
-              below + (isovalue - below) / 2, " gives better ones");
+  if (!equal || !std::isfinite(below) || !is_whole(below)) return;
+  const double better = below + (isovalue - below) / 2;
+  add_warning(run.notes, "isovalue-on-samples", "",
+              "samples equal the isovalue, which makes thin triangles: --iso ", better,
+              " gives better ones")
+      .with("isovalue", better);
 }
 
-std::string border_advice(std::span<const std::int64_t> labels) {
-  if (labels.empty()) return {};
-  return text(labels.size() == 1 ? "the mesh of label " : "the meshes of labels ",
-              joined(labels, ", "), labels.size() == 1 ? " is" : " are",
-              " open at the volume's border: --cap closes ", labels.size() == 1 ? "it" : "them");
+void advise_of_border(std::span<const std::int64_t> labels, Diagnostics& notes) {
+  if (labels.empty()) return;
+  const bool is_one = labels.size() == 1;
+  add_warning(notes, "open-at-border", "", is_one ? "the mesh of label " : "the meshes of labels ",
+              joined(labels, ", "), is_one ? " is" : " are",
+              " open at the volume's border: --cap closes ", is_one ? "it" : "them");
 }
 
 }  // namespace deliso

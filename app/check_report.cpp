@@ -311,6 +311,7 @@ void add_check(ReportWriter& out, std::string_view mesh, bool by_comments, const
   add_input(out, input);
   out.add("isovalue", input.isovalue.value_or(0), "as given");
   add_verification(out, v, input.grid());
+  add_diagnostics(out, input.log.notes);
 }
 
 }  // namespace deliso

@@ -334,6 +334,31 @@ void check_exclusions(const CommandLine& line, const Given& given) {
   if (line.part && line.output.empty()) throw InputError("no part named: -o FILE.part, or -o -");
 }
 
+// Warns of options that have no effect beside others.
+template <class Given>
+void warn_of_ignored(CommandLine& line, const Given& given) {
+  const bool stops = line.options.stop_after_stage1;
+  const struct {
+    std::string_view option;
+    bool is_ignored;
+    std::string_view why;
+  } rows[] = {
+      {"--max-radius", stops, "with --stop-after stage1"},
+      {"--eps1", stops, "with --stop-after stage1"},
+      {"--eps2", stops, "with --stop-after stage1"},
+      {"--single-stage", stops, "with --stop-after stage1"},
+      {"--restricted", line.command == Command::mesh && !line.check, "without --check"},
+      {"--format", !line.shared.empty() && line.output.empty(),
+       "on the file of --shared, whose name tells its format"},
+      {"--color", line.color_by != ColorBy::side, "with --color-by of another kind than side"},
+      {"--occlusion", line.render.occlusion && line.render.opacity < 1, "with --opacity"},
+  };
+  for (const auto& row : rows) {
+    if (!row.is_ignored || !given(row.option)) continue;
+    add_warning(line.notes, "option-ignored", "", row.option, " has no effect ", row.why);
+  }
+}
+
 // Applies --paper where options are not given: the criteria that a check can measure are in
 // `options` too. The paper's criteria turn the bound on the distance off.
 template <class Given>
@@ -438,6 +463,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   check_labels(line);
   check_exclusions(line, given);
   check_combination(line);
+  warn_of_ignored(line, given);
   return line;
 }
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "blocks/grid.h"
 #include "io/mesh/write_mesh.h"
 #include "io/volume/read_volume.h"
@@ -89,6 +90,7 @@ struct CommandLine {
   bool triangulate = false;     // a check also counts Voronoi edges
   bool quiet = false;
   bool verbose = false;
+  Diagnostics notes;  // of the options themselves
 };
 
 // True if a number of vertices or triangles is required instead of a bound on the distance.

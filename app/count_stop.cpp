@@ -68,6 +68,14 @@ std::string_view name_of(CountStop stop) {
   return kNames[static_cast<std::size_t>(stop)];
 }
 
+void warn_of_count(const CountedMesh& mesh, Diagnostics& notes) {
+  if (count_stop(mesh) == CountStop::none) return;
+  const Count count = count_of(mesh);
+  add_warning(notes, "count-missed", "", count_text(mesh))
+      .with("asked", static_cast<double>(count.wanted))
+      .with("made", static_cast<double>(count.now));
+}
+
 std::string count_text(const CountedMesh& mesh) {
   const CountStop stop = count_stop(mesh);
   if (stop == CountStop::none) return {};

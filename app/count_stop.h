@@ -39,6 +39,9 @@ inline CountStop count_stop(const MeshRun& run) {
 
 std::string_view name_of(CountStop stop);
 
+// Warns of a number that is not met.
+void warn_of_count(const CountedMesh& mesh, Diagnostics& notes);
+
 // Returns the number and what stopped it, in one line; empty if nothing did.
 std::string count_text(const CountedMesh& mesh);
 inline std::string count_text(const MeshRun& run) {

@@ -86,6 +86,22 @@ std::string suggestions_text(const Info& info) {
 
 }  // namespace
 
+Input read_to_inform(const CommandLine& line) {
+  try {
+    return read_input(line);
+  } catch (const SeveralVolumes& several) {
+    if (!line.output.empty()) throw;
+    CommandLine first = line;
+    first.read.channel = line.read.channel.value_or(1);
+    first.read.time = line.read.time.value_or(1);
+    Input input = read_input(first);
+    add_note(input.log.notes, "first-of-several", line.input, several.words, "; this is the first")
+        .with("channels", static_cast<double>(several.counts.channels))
+        .with("times", static_cast<double>(several.counts.times));
+    return input;
+  }
+}
+
 Info find_info(const Input& input, const CommandLine& line, Progress& progress) {
   const Volume& volume = input.volume();
   progress.show("histogram", 0);
@@ -158,6 +174,7 @@ void add_info(ReportWriter& out, const Info& info) {
                         .add("components", s.components.value_or(0),
                              "of the exact surface; left out where the volume is large");
                   });
+  add_diagnostics(out, info.input.log.notes);
   out.add_seconds("seconds_read", info.input.seconds, "reading, and looking at every sample once");
   out.add_seconds("seconds_suggestions", info.seconds_suggestions, "finding the suggestions");
   if (!out.if_any(info.isovalue.has_value())) return;
@@ -175,6 +192,39 @@ void add_info(ReportWriter& out, const Info& info) {
 std::string info_json(const Info& info) {
   ReportWriter out("info");
   add_info(out, info);
+  return out.finish();
+}
+
+std::string series_text(const std::string& folder, const std::vector<FoundSeries>& series) {
+  std::string list = text(one_line(folder), ": ", series.size(), " series; --series N takes one\n");
+  for (std::size_t n = 0; n < series.size(); ++n) {
+    list += text(n < 9 ? "  " : " ", n + 1, "  ", text_of(series[n]), "\n");
+  }
+  return list;
+}
+
+void add_series(ReportWriter& out, const std::string& folder,
+                const std::vector<FoundSeries>& series) {
+  out.add("input", folder, "as it was given");
+  out.add_objects("series", "a series, or what of it may be one volume: for --series, from 1 on",
+                  series, [&](const FoundSeries& found) {
+                    out.add("description", found.description, "of the series (SeriesDescription)");
+                    out.add("images", found.images, "slices and frames", Rule::not_negative);
+                    out.add("columns", found.columns, "of an image", Rule::not_negative);
+                    out.add("rows", found.rows, "of an image", Rule::not_negative);
+                    out.add("doubt", found.doubt, "why the images may be no volume; empty: none");
+                    out.add("file", found.file, "the first, within the folder");
+                  });
+  Diagnostics notes;
+  add_note(notes, "several-series", folder, "holds ", series.size(),
+           " series, of which --series N takes one")
+      .with("series", static_cast<double>(series.size()));
+  add_diagnostics(out, notes);
+}
+
+std::string series_json(const std::string& folder, const std::vector<FoundSeries>& series) {
+  ReportWriter out("info");
+  add_series(out, folder, series);
   return out.finish();
 }
 

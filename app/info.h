@@ -38,11 +38,22 @@ struct Info {
   double seconds_contour = 0;
 };
 
+// Reads the input. Of a file of several channels or times, if the line chooses none, that is the
+// first, with a note: the user wants to know what there is. A picture needs one that is chosen.
+// Throws SeveralSeries, too.
+Input read_to_inform(const CommandLine& line);
+
 // Returns the information. Keeps a reference to `input`.
 Info find_info(const Input& input, const CommandLine& line, Progress& progress);
 
 std::string info_text(const Info& info);
 std::string info_json(const Info& info);
 void add_info(ReportWriter& out, const Info& info);  // the members of that
+
+// The same of a folder of several series, of which the line chooses none.
+std::string series_text(const std::string& folder, const std::vector<FoundSeries>& series);
+std::string series_json(const std::string& folder, const std::vector<FoundSeries>& series);
+void add_series(ReportWriter& out, const std::string& folder,
+                const std::vector<FoundSeries>& series);
 
 }  // namespace deliso

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdio>
 #include <iterator>
 #include <utility>
 
@@ -24,18 +23,26 @@
 namespace deliso {
 namespace {
 
-std::string text_of(const Vec3& v) {
+std::string numbers_of(const Vec3& v) {
   return text(v.x, " ", v.y, " ", v.z);
 }
 
-// Returns a warning if the user wants labels of a volume that looks like a gray image.
-std::string gray_image_warning(const CommandLine& line, const Volume& volume,
-                               const ValueRange& range) {
-  if (!line.field.of_labels() || looks_like_labels(volume)) return "";
+// Returns the type of the samples, in the file if they stand for ids.
+std::string_view type_name(const Input& input) {
+  return name_of(input.log.ids.empty() || input.field.label ? StoredType(input.grid().type())
+                                                            : input.log.type_of_ids);
+}
+
+// Warns if the user wants labels of a volume that looks like a gray image.
+void warn_of_gray_image(const CommandLine& line, const Volume& volume, const ValueRange& range,
+                        ReadLog& log) {
+  if (!line.field.of_labels() || !log.ids.empty() || looks_like_labels(volume)) return;
   const std::vector<Threshold> levels = find_thresholds(volume, range).levels;
-  if (levels.empty()) return "";  // all samples are equal
-  return one_line(text(line.input, " looks like a gray image, not like labels: try --iso ",
-                       levels[0].isovalue));
+  if (levels.empty()) return;  // all samples are equal
+  const double isovalue = levels[0].isovalue;
+  add_warning(log.notes, "gray-image", line.input,
+              "looks like a gray image, not like labels: try --iso ", isovalue)
+      .with("isovalue", isovalue);
 }
 
 }  // namespace
@@ -50,11 +57,6 @@ std::string_view name_of(AnatomicalSpace space) {
       break;
   }
   return "unknown";
-}
-
-void print_warning(const std::string& warning, const CommandLine& line) {
-  if (warning.empty() || line.quiet) return;
-  std::fprintf(stderr, "deliso: warning: %s\n", warning.c_str());
 }
 
 void find_segments(CommandLine& line) {
@@ -95,24 +97,39 @@ Source read_source(const CommandLine& line, std::vector<std::string> others) {
   ReadLog log;
   ReadOptions read = line.read;
   read.as_labels = may_be_labels(line);
-  Volume volume = read_volume(line.input, read, &log);
+  Volume volume = [&] {
+    try {
+      return read_volume(line.input, read, &log);
+    } catch (SeveralSeries& several) {
+      several.paths = log.paths();
+      throw;
+    }
+  }();
   std::ranges::copy(log.paths(), std::back_inserter(others));
   if (line.input == "-") others.push_back(line.input);
   require_outputs(std::array{line.output, line.json}, others);
+  Source source = source_of(std::move(volume), std::move(log), line);
+  source.seconds = watch.seconds();
+  return source;
+}
+
+Source source_of(Volume volume, ReadLog log, const CommandLine& line) {
+  const Stopwatch watch;
+  for (const Diagnostic& item : line.notes) add_to(log.notes, item);
   if (line.field.nan) {
     std::uint64_t count = 0;
     volume = without_nan(volume, *line.field.nan, count);
-    log.notes.push_back(text(counted(count, "sample is NaN", "samples are NaN"), ", and taken as ",
-                             *line.field.nan));
+    add_note(log.notes, "nan-replaced", "", counted(count, "sample is NaN", "samples are NaN"),
+             ", and taken as ", *line.field.nan)
+        .with("samples", static_cast<double>(count));
   }
   const ValueRange range = range_of(volume, log, line.input);
   std::vector<LabelSamples> labels;
   if (line.field.of_labels()) {
     labels = find_labels({volume, log.ids}, line.input, line.options.threads);
   }
-  std::string warning = log.ids.empty() ? gray_image_warning(line, volume, range) : "";
-  return {std::move(volume), range,           std::move(labels),
-          std::move(log),    watch.seconds(), std::move(warning)};
+  warn_of_gray_image(line, volume, range, log);
+  return {std::move(volume), range, std::move(labels), std::move(log), watch.seconds()};
 }
 
 Input input_of(const Source& source, const CommandLine& line) {
@@ -121,8 +138,7 @@ Input input_of(const Source& source, const CommandLine& line) {
       make_field({source.volume, source.log.ids}, line.field, source.labels, line.input, threads);
   const ValueRange range =
       field.is_filtered() ? value_range(all_of(field.source), line.input) : source.range;
-  Input input{line.input,     std::move(field), range,         source.log,
-              source.seconds, line.isovalue,    source.warning};
+  Input input{line.input, std::move(field), range, source.log, source.seconds, line.isovalue};
   if (input.field.label) input.isovalue = 0;
   return input;
 }
@@ -131,7 +147,16 @@ Input read_input(const CommandLine& line, std::vector<std::string> others) {
   return input_of(read_source(line, std::move(others)), line);
 }
 
-void turn_to(AnatomicalSpace space, Input& input) {
+void warn_of_space(AnatomicalSpace space, const CommandLine& line, Diagnostics& notes) {
+  const AnatomicalSpace asked = line.read.space;
+  constexpr AnatomicalSpace unknown = AnatomicalSpace::unknown;
+  if (asked == unknown || space == unknown || asked == space) return;
+  add_warning(notes, "space-differs", "", "the mesh names the space ", short_name_of(space),
+              ", which stands: --space ", short_name_of(asked), " has no effect");
+}
+
+void turn_to(AnatomicalSpace space, const CommandLine& line, Input& input) {
+  warn_of_space(space, line, input.log.notes);
   const Frame turned = input.grid().frame().in_space(space);
   input.field.source = source_of(input.volume().with_frame(turned));
 }
@@ -149,7 +174,7 @@ std::string input_text(const Input& input) {
   };
   std::string lines =
       text("volume    ", one_line(input.name), "\n          ", dims.i, " x ", dims.j, " x ", dims.k,
-           " ", name_of(volume.type()), ", spacing ", text_of(volume.spacing()));
+           " ", type_name(input), ", spacing ", numbers_of(volume.spacing()));
   for (int axis = 0; axis < 3; ++axis) {
     if (volume.places(axis)) lines += text(", uneven along ", "xyz"[axis]);
   }
@@ -161,16 +186,18 @@ std::string input_text(const Input& input) {
 
   const Frame& at = volume.frame();
   if (at != Frame{}) {
-    lines +=
-        text("          origin ", text_of(at.origin), ", axes ", joined(at.axes, " / ", text_of),
-             at.left_handed() ? ", left-handed" : "", ", space ", name_of(at.space), "\n");
+    lines += text("          origin ", numbers_of(at.origin), ", axes ",
+                  joined(at.axes, " / ", numbers_of), at.left_handed() ? ", left-handed" : "",
+                  ", space ", name_of(at.space), "\n");
   }
   for (const NamedArray& array : input.log.arrays) {
     std::string of = array.name + ": " + array.type;
     if (array.components != 1) of += text(" x ", array.components);
     lines += "          array " + one_line(of + (array.read ? ", read" : "")) + "\n";
   }
-  for (const std::string& note : input.log.notes) lines += "          " + note + "\n";
+  for (const Diagnostic& told : input.log.notes) {
+    if (told.severity == Severity::note) lines += "          " + text_of(told) + "\n";
+  }
   return lines + field_text(input.field);
 }
 
@@ -180,8 +207,11 @@ void add_input(ReportWriter& out, const Input& input) {
   out.open("volume", "what was read");
   out.add("input", input.name, "as it was given: a path, builtin:NAME, or - for standard input");
   out.add("dims", volume.dims(), "samples along x, y and z", Rule::positive);
-  out.add_choice("type", static_cast<std::size_t>(volume.type()), names_up_to(SampleType::f64),
-                 "of a sample");
+  std::vector<std::string> types = names_up_to(SampleType::f64);
+  types.insert(types.end(), {"int64", "uint64"});
+  const auto type = std::ranges::find(types, type_name(input)) - types.begin();
+  out.add_choice("type", static_cast<std::size_t>(type), types,
+                 "of a sample; int64 and uint64 are held as numbers of ids");
   out.add("spacing", volume.spacing(), "between samples along x, y and z; world units");
   if (out.if_any(!volume.is_even())) {
     out.open(

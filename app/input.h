@@ -20,7 +20,6 @@ struct Input {
   ReadLog log;
   double seconds = 0;                // for reading, and for one pass over the samples
   std::optional<double> isovalue{};  // the user's, or the label's
-  std::string warning{};             // one line for standard error, or none
 
   const Grid& grid() const { return field.source.shape; }
   // Returns the field with its samples, which are read if they are not in memory.
@@ -49,16 +48,16 @@ struct Source {
   std::vector<LabelSamples> labels;  // only if the command line asks for any
   ReadLog log;
   double seconds = 0;
-  std::string warning{};  // as in Input
 };
 Source read_source(const CommandLine& line, std::vector<std::string> others = {});
+// Returns the source of a volume that was read, or given, with its log.
+Source source_of(Volume volume, ReadLog log, const CommandLine& line);
 Input input_of(const Source& source, const CommandLine& line);
 
-// Turns the volume to the space that a mesh names, if it names one itself.
-void turn_to(AnatomicalSpace space, Input& input);
-
-// Writes the warning, if there is one, unless the command is to be quiet.
-void print_warning(const std::string& warning, const CommandLine& line);
+// Turns the volume to the space that a mesh names, if it names one itself; and warns if the line
+// asks for another one.
+void turn_to(AnatomicalSpace space, const CommandLine& line, Input& input);
+void warn_of_space(AnatomicalSpace space, const CommandLine& line, Diagnostics& notes);
 
 // Returns why there is no surface at the isovalue: the range of the samples.
 std::string no_surface_text(double isovalue, const ValueRange& range);

@@ -16,9 +16,11 @@ constexpr char kColumns[] = "%*s %11s %7s %9s %9s %12s %12s %10s %10s %6s %5s %9
 
 }  // namespace
 
-std::string vanished_text(std::string_view label, std::uint64_t samples) {
-  return text("label ", label, " vanished: smoothing left nothing of its ",
-              counted(samples, "sample"), "; a smaller --smooth or --median keeps more");
+void warn_of_vanished(std::string_view label, std::uint64_t samples, Diagnostics& notes) {
+  add_warning(notes, "label-vanished", "", "label ", label,
+              " vanished: smoothing left nothing of its ", counted(samples, "sample"),
+              "; a smaller --smooth or --median keeps more")
+      .with("samples", static_cast<double>(samples));
 }
 
 int label_width(std::span<const LabelSamples> labels) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/diagnostics.h"
 #include "base/topology_counts.h"
 #include "io/filter/segmentation.h"
 
@@ -24,8 +25,8 @@ struct LabelRow {
   double seconds = 0;
 };
 
-// Returns the warning about a label whose field is the largest at no sample.
-std::string vanished_text(std::string_view label, std::uint64_t samples);
+// Warns of a label whose field is the largest at no sample.
+void warn_of_vanished(std::string_view label, std::uint64_t samples, Diagnostics& notes);
 
 // Returns the characters of the table's first column.
 int label_width(std::span<const LabelSamples> labels);

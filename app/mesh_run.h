@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,11 +27,12 @@ namespace deliso {
 
 struct MeshRun {
   MeshRun(const CommandLine& command_line, const Input& volume_input)
-      : line(command_line), input(volume_input) {}
+      : line(command_line), input(volume_input), notes(volume_input.log.notes) {}
 
   const CommandLine& line;
   const Input& input;
-  bool is_one_of_all = false;  // of --label all: its advice is for all labels at once
+  Diagnostics notes;           // those of the input, and the run's own
+  bool is_one_of_all = false;  // of --label all: the border is told of for all labels at once
 
   Report report;
   paper::Report published;  // with --paper
@@ -60,10 +60,10 @@ struct MeshRun {
   bool has_volume() const {
     return has_solid() || (input.field.label && !line.options.cap && !reaches_border());
   }
-  // True of labels that reach the volume's border, where nothing closes their mesh. A warning about
-  // the input says that they are none.
+  // True of labels that reach the volume's border, where nothing closes their mesh. A gray image
+  // has none.
   bool is_open_label() const {
-    return input.field.label && input.warning.empty() && !line.options.cap && reaches_border();
+    return input.field.label && !has(notes, "gray-image") && !line.options.cap && reaches_border();
   }
   // True if the inside has a part of the volume's border, or all of it: then no loop tells.
   bool reaches_border() const {
@@ -86,27 +86,24 @@ struct MeshRun {
 };
 
 // Meshes the run's input as its command line asks, checks and measures the mesh, and fills in the
-// run. Calls `warn` with each warning, one line. Throws InputError, also if a file of the input has
+// run. Its warnings are told by `progress`. Throws InputError, also if a file of the input has
 // changed since it was read.
-TriMesh mesh_input(MeshRun& run, Progress& progress,
-                   const std::function<void(const std::string&)>& warn);
+TriMesh mesh_input(MeshRun& run, Progress& progress);
 
-// Warns in one line before a run that may need much time and memory. Throws an InputError before an
-// impossible one.
-void warn_of_size(double vertices, const std::function<void(const std::string&)>& warn);
+// Warns of a run that may need much time and memory. Throws an InputError before an impossible one.
+void warn_of_size(double vertices, Diagnostics& notes);
 
-// Warns in one line if single precision moves the points, as the file has them, by more than a
-// quarter of the bound on the distance, or of its default if there is none.
+// Warns if single precision moves the points, as the file has them, by more than a quarter of the
+// bound on the distance, or of its default if there is none.
 void warn_of_rounding(const std::vector<Vec3>& points, double max_distance, const Grid& volume,
-                      const std::function<void(const std::string&)>& warn);
+                      Diagnostics& notes);
 
 // Throws InputError if the mesh has no surface, but caps at most, unless the line allows that, or
 // the caps are those of labels, which may fill the volume.
 void require_surface(const MeshRun& run, const TriMesh& mesh);
 
 // Checks and measures the mesh, as mesh_input() does.
-void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress,
-                  const std::function<void(const std::string&)>& warn);
+void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress);
 
 // Returns how the mesh of the run is written, with the comments of its file.
 MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh);
@@ -117,7 +114,7 @@ std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& 
 // Meshes all labels as one mesh and writes its files, of --label all --shared. `lines`: those of
 // the labels; `total` counts from the beginning of the run. Returns the exit status.
 int run_shared(const Stopwatch& total, const Source& source, const CommandLine& line,
-               std::span<const CommandLine> lines);
+               std::span<const CommandLine> lines, ProgressBar& progress);
 // Writes the meshes of labels into one file, each with its name, else "label N", and its
 // color, else one of our own. pre:
 // there is one.
@@ -129,9 +126,6 @@ void write_labels(std::vector<MeshObject> objects, std::span<const std::int64_t>
 // InputError.
 void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run, const TriMesh& mesh,
                  std::vector<MeshObject>* objects = nullptr);
-
-// Returns what writes a warning to standard error, unless the line is quiet.
-std::function<void(const std::string&)> warner(ProgressBar& progress, const CommandLine& line);
 
 // Writes the report to standard output, or to standard error if a file goes there.
 void print_report(const MeshRun& run);

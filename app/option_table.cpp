@@ -116,7 +116,7 @@ constexpr OptionSpec kInputAndOutput[] = {
      [](Line& l, Text, Text) { l.attributes = true; }},
     {"--json", 0, "FILE", kReportsAndJoin, "all statistics as JSON, or - for standard output",
      [](Line& l, Text, Text v) { l.json = v; }},
-    {"--quiet", 'q', "", kAll, "no report and no progress bar",
+    {"--quiet", 'q', "", kAll, "no report and no progress bar; warnings come all the same",
      [](Line& l, Text, Text) { l.quiet = true; }},
     {"--verbose", 'v', "", kMeshAndJoin, "the report with all stages, counters and refusals",
      [](Line& l, Text, Text) { l.verbose = true; }},

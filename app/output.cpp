@@ -53,6 +53,13 @@ void print_report(std::string_view text, bool stdout_taken) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
+void print_warnings(const Diagnostics& notes) {
+  for (const Diagnostic& item : notes) {
+    if (item.severity != Severity::warning) continue;
+    std::fprintf(stderr, "deliso: warning: %s\n", text_of(item).c_str());
+  }
+}
+
 void write_text(const std::string& path, std::string_view text) {
   AtomicFile out(path);
   out.write(text);

@@ -6,12 +6,16 @@
 #include <string>
 #include <string_view>
 
+#include "base/diagnostics.h"
+
 namespace deliso {
 
 // Writes to standard output and flushes. Throws InputError unless all of it is written.
 void print(std::string_view text);
 // Writes a report there or, if another output takes standard output, to standard error.
 void print_report(std::string_view text, bool stdout_taken);
+// Writes the warnings of a list to standard error, a line each.
+void print_warnings(const Diagnostics& notes);
 
 // Writes a file, whole or not at all; `-` is standard output. Throws InputError.
 void write_text(const std::string& path, std::string_view text);

@@ -115,7 +115,7 @@ LabelList parse_label_list(std::string_view option, std::string_view text) {
     const auto label = read_all<std::int64_t>(word);
     if (!label) {
       refuse(option, text,
-             "whole numbers as in '1' or '1,4', names of the file's segments, or all");
+             "whole numbers below 2^63 as in '1' or '1,4', names of the file's segments, or all");
     }
     labels.numbers.push_back(*label);
   }

@@ -165,11 +165,10 @@ Input input_of_join(const CommandLine& line, FieldSource field, ReadLog log, dou
   VolumeSource& source = field.field.source;
   const bool needs_samples = line.check || line.attributes || line.options.cap;
   if (needs_samples && !source.in_memory) source = source_of(all_of(source));
-  return {line.input, std::move(field.field), {}, std::move(log), seconds, field.isovalue, ""};
+  return {line.input, std::move(field.field), {}, std::move(log), seconds, field.isovalue};
 }
 
-TriMesh join_parts_of(std::vector<PartFile> parts, MeshRun& run, Progress& progress,
-                      const std::function<void(const std::string&)>& warn) {
+TriMesh join_parts_of(std::vector<PartFile> parts, MeshRun& run, Progress& progress) {
   Options options = run.line.options;
   options.observer = &progress;
   std::vector<Block> blocks;
@@ -179,7 +178,7 @@ TriMesh join_parts_of(std::vector<PartFile> parts, MeshRun& run, Progress& progr
     TriMesh mesh = mesh_of_parts(run.input.field.source, *run.input.isovalue, options,
                                  std::move(blocks), run.report);
     require_surface(run, mesh);
-    examine_mesh(run, mesh, progress, warn);
+    examine_mesh(run, mesh, progress);
     return mesh;
   });
 }

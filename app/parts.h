@@ -2,7 +2,6 @@
 // Parts of a mesh, made and joined, from samples that are read box by box (blocks/block.h).
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -62,8 +61,7 @@ Input input_of_join(const CommandLine& line, FieldSource field, ReadLog log = {}
                     double seconds = 0);
 
 // Joins the parts, which are in order and of the run's field. Checks and measures the mesh as
-// mesh_input() does, and fills in the run. Calls `warn` with each warning. Throws InputError.
-TriMesh join_parts_of(std::vector<PartFile> parts, MeshRun& run, Progress& progress,
-                      const std::function<void(const std::string&)>& warn);
+// mesh_input() does, and fills in the run. Throws InputError.
+TriMesh join_parts_of(std::vector<PartFile> parts, MeshRun& run, Progress& progress);
 
 }  // namespace deliso

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <utility>
 
+#include "app/output.h"
 #include "io/files/append_format.h"
 
 namespace deliso {
@@ -130,6 +131,12 @@ std::string progress_line(std::string_view stage, double share, double seconds, 
 Progress::Progress(std::vector<StageCost> stages)
     : model_(std::move(stages)), start_(Clock::now()), last_(start_) {}
 
+void Progress::restart(std::vector<StageCost> stages) {
+  model_ = ProgressModel(std::move(stages));
+  stage_.clear();
+  start_ = last_ = Clock::now();
+}
+
 void Progress::show(std::string_view stage, double share) {
   const double of_all = model_.at(stage, share);
   const Clock::time_point now = Clock::now();
@@ -151,6 +158,17 @@ void ProgressBar::draw(const std::string& stage, double share_of_run) {
   std::fprintf(stderr, "\r\033[K%s", line.c_str());
   std::fflush(stderr);
   drawn_ = true;
+}
+
+void ProgressBar::tell(const Diagnostics& notes) {
+  for (const Diagnostic& item : notes) {
+    if (item.severity != Severity::warning) continue;
+    const std::size_t known = told_.size();
+    add_to(told_, item);
+    if (told_.size() == known) continue;
+    clear();
+    print_warnings({item});
+  }
 }
 
 void ProgressBar::clear() {

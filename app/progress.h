@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "base/diagnostics.h"
 #include "run/observer.h"
 
 namespace deliso {
@@ -69,7 +70,11 @@ class Progress : public Observer {
   // Shows that `share` of the stage is done, in [0, 1]. Cheap to call often: it calls draw() when a
   // stage begins, and ten times a second.
   void show(std::string_view stage, double share);
+  // Begins another run.
+  void restart(std::vector<StageCost> stages);
   virtual void clear() {}
+  // Shows the warnings that it has not shown yet.
+  virtual void tell(const Diagnostics&) {}
 
  protected:
   // Shows the share of the run that is done. Called by one thread at a time.
@@ -90,6 +95,8 @@ class ProgressBar : public Progress {
   ProgressBar(std::vector<StageCost> stages, bool wanted);
   ~ProgressBar() override { ProgressBar::clear(); }
   void clear() override;
+  // On standard error, even if the bar is not wanted.
+  void tell(const Diagnostics& notes) override;
 
  private:
   void draw(const std::string& stage, double share_of_run) override;
@@ -97,6 +104,7 @@ class ProgressBar : public Progress {
   bool visible_;
   bool colored_;
   bool drawn_ = false;
+  Diagnostics told_;
 };
 
 }  // namespace deliso

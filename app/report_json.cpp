@@ -254,6 +254,7 @@ void add_run(ReportWriter& out, const MeshRun& run) {
     add_verification(out, run.verification.value_or(Verification()), run.input.grid());
   }
   add_memory(out, run.peak_bytes);
+  add_diagnostics(out, run.notes);
 }
 
 void add_label(ReportWriter& out, const SharedLabel& l) {
@@ -337,6 +338,7 @@ void add_shared(ReportWriter& out, const SharedRun& run) {
                     out.add("area", border.area, "of these; scaled frame");
                   });
   add_memory(out, run.peak_bytes);
+  add_diagnostics(out, run.notes);
 }
 
 }  // namespace
@@ -359,11 +361,13 @@ std::string report_schema() {
       "", {source_of(Volume::from_samples({2, 2, 2}, {1, 1, 1}, std::vector<float>(8)))}, {}, {}};
   ReportWriter out;
   out.describe_report("mesh", [&] { add_run(out, MeshRun(line, input)); });
-  const Source source{input.volume(), {}, {}, {}, 0};
+  const Source source{input.volume(), {}, {}, {}};
   out.describe_report(
       "mesh", [&] { add_shared(out, SharedRun(line, source, {})); }, "with --label all --shared");
   out.describe_report("check", [&] { add_check(out, "", false, input, {}); });
   out.describe_report("info", [&] { add_info(out, {input, {}, {}, {}, {}, 0, {}, 0, {}, 0}); });
+  out.describe_report(
+      "info", [&] { add_series(out, "", {}); }, "of a folder of several series");
   return out.finish();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/report_writer.h"
 
+#include <iterator>
 #include <utility>
 
 #include "base/version.h"
@@ -30,6 +31,22 @@ ReportWriter::ReportWriter() : required_(1) {
             "when a key goes, is renamed, or changes its type, unit or meaning; keys that are only "
             "added come with a new version of the program, whose schema names them.");
   json_.open_list("oneOf");
+}
+
+void ReportWriter::add_values(std::string_view key,
+                              std::span<const std::pair<std::string_view, double>> values,
+                              std::string_view words) {
+  const bool described = !required_.empty();
+  described ? open_member(key) : json_.open(key);
+  if (described) {
+    json_.add("type", "object");
+    json_.add("description", words);
+    json_.open("additionalProperties");
+    json_.add("type", "number");
+    json_.close();
+  }
+  for (const auto& [name, value] : values) json_.add(name, value);
+  json_.close();
 }
 
 void ReportWriter::open(std::string_view key, std::string_view words) {
@@ -114,6 +131,21 @@ void ReportWriter::open_properties(std::string_view words) {
   json_.add("description", words);
   json_.open("properties");
   required_.emplace_back();
+}
+
+void add_diagnostics(ReportWriter& out, const Diagnostics& notes) {
+  const std::vector<std::string> codes(std::begin(kCodes), std::end(kCodes));
+  out.add_objects("diagnostics", "notes and warnings, in the order in which they came", notes,
+                  [&](const Diagnostic& item) {
+                    out.add_choice("code", item.code.number(), codes, "docs/guide/report.md");
+                    out.add_choice("severity", static_cast<std::size_t>(item.severity),
+                                   names_up_to(Severity::warning),
+                                   "a warning: the result may not be the one wanted");
+                    out.add("words", item.words, "one line, without the file");
+                    out.add("file", item.file, "that it is about; empty: none");
+                    out.add_values("values", item.values,
+                                   "numbers of the words, by name; {}: none");
+                  });
 }
 
 }  // namespace deliso

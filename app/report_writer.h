@@ -10,8 +10,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "base/text.h"
 #include "base/vec3.h"
 #include "io/files/json.h"
@@ -77,6 +79,9 @@ class ReportWriter {
     if (!describes(key, "string", words, Rule::none, false, choices))
       json_.add(key, choices[choice]);
   }
+  // Adds an object of numbers with these names.
+  void add_values(std::string_view key, std::span<const std::pair<std::string_view, double>> values,
+                  std::string_view words);
   void open(std::string_view key, std::string_view words);
   void close(bool has_others = false);  // whether other members are allowed
 
@@ -125,5 +130,8 @@ class ReportWriter {
   std::vector<std::vector<std::string>> required_;  // of open objects; empty: the writer writes
   bool is_optional_ = false, is_left_out_ = false;  // the next member
 };
+
+// Adds the list "diagnostics".
+void add_diagnostics(ReportWriter& out, const Diagnostics& notes);
 
 }  // namespace deliso

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/command_line.h"
+#include "base/diagnostics.h"
 #include "io/mesh/read_mesh.h"
 #include "mesh/tri_mesh.h"
 
@@ -22,9 +23,10 @@ int run_labels(const CommandLine& line);  // of mesh, with --label all
 int run_info(const CommandLine& line);
 int run_check(const CommandLine& line);
 int run_render(const CommandLine& line);
-// Draws the meshes, which the line's names are of, into its output. Returns a line about it.
+// Draws the meshes, which the line's names are of, into its output. Returns a line about it. Adds
+// to `told` what the reader of the line's volume tells.
 std::string draw(std::span<const TriMesh> meshes, std::span<const MeshNotes> notes,
-                 const CommandLine& line);
+                 const CommandLine& line, Diagnostics& told);
 int run_view(const CommandLine& line);
 int run_trace(const CommandLine& line);
 int run_join(const CommandLine& line);

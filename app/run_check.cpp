@@ -43,15 +43,15 @@ int run_check(const CommandLine& line) {
   MeshNotes notes;
   TriMesh mesh = read_mesh(line.meshes.front(), &notes);
   Input input = read_input(line, line.meshes);
-  turn_to(mesh.frame.space, input);
+  turn_to(mesh.frame.space, line, input);
   const std::string asked = field_note(line.field, input.grid());
   const auto made = noted_field(notes.comments);
   if (made && *made != asked) {
-    print_warning(one_line(text(line.meshes.front(), " is of another field: its file says",
-                                made->empty() ? " no filter" : *made, ", this check",
-                                asked.empty() ? " has no filter" : " says" + asked)),
-                  line);
+    add_warning(input.log.notes, "field-differs", line.meshes.front(),
+                "is of another field: its file says", made->empty() ? " no filter" : *made,
+                ", this check", asked.empty() ? " has no filter" : " says" + asked);
   }
+  print_warnings(input.log.notes);
   const CheckRun run = check_mesh_in_world(std::move(mesh), notes, line, input);
   const Verification& result = run.verification;
   if (!line.json.empty()) write_text(line.json, run.json);

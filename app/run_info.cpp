@@ -2,6 +2,7 @@
 // The info command: a volume's properties, the distribution of its samples, and the surface at an
 // isovalue, also as a picture of slices.
 #include <algorithm>
+#include <array>
 
 #include "app/info.h"
 #include "app/output.h"
@@ -43,38 +44,13 @@ void write_slices(const Info& info, const CommandLine& line) {
   write_png(image, line.output);
 }
 
-// Reads the input. Of a file of several volumes that is the first, with a note: the user wants to
-// know what there is. A report for a program, or a picture, needs one that is chosen.
-Input read_some_input(const CommandLine& line) {
-  try {
-    return read_input(line);
-  } catch (const SeveralVolumes& several) {
-    if (!line.json.empty() || !line.output.empty()) throw;
-    CommandLine first = line;
-    first.read.channel = line.read.channel.value_or(1);
-    first.read.time = line.read.time.value_or(1);
-    Input input = read_input(first);
-    input.log.notes.push_back(text(several.what(), "; this is the first"));
-    return input;
-  }
-}
-
-std::string list_text(const std::string& folder, const std::vector<std::string>& series) {
-  std::string list = text(one_line(folder), ": ", series.size(), " series; --series N takes one\n");
-  for (std::size_t n = 0; n < series.size(); ++n) {
-    list += text(n < 9 ? "  " : " ", n + 1, "  ", series[n], "\n");
-  }
-  return list;
-}
-
 }  // namespace
 
 int run_info(const CommandLine& line) try {
   ProgressBar progress(info_stages(line), !line.quiet);
   progress.show("reading", 0);
-  const Input input = read_some_input(line);
-  progress.clear();
-  print_warning(input.warning, line);
+  const Input input = read_to_inform(line);
+  progress.tell(input.log.notes);
   const Info info = find_info(input, line, progress);
   if (!line.output.empty()) {
     progress.show("slices", 0);
@@ -85,8 +61,10 @@ int run_info(const CommandLine& line) try {
   if (!line.quiet && line.json != "-") print_report(info_text(info), line.output == "-");
   return kExitSuccess;
 } catch (const SeveralSeries& several) {
-  if (line.read.series || !line.json.empty() || !line.output.empty()) throw;
-  if (!line.quiet) print_report(list_text(line.input, several.series), false);
+  if (line.read.series || !line.output.empty()) throw;
+  require_outputs(std::array{line.json}, several.paths);
+  if (!line.json.empty()) write_text(line.json, series_json(line.input, several.series));
+  if (!line.quiet && line.json != "-") print(series_text(line.input, several.series));
   return kExitSuccess;
 }
 

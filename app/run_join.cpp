@@ -40,7 +40,8 @@ int run_join(const CommandLine& join) {
   ProgressBar progress(mesh_stages(line), !line.quiet);
   const Input input = input_of_join(line, field, log, reading.seconds());
   MeshRun run(line, input);
-  const TriMesh mesh = join_parts_of(std::move(parts), run, progress, warner(progress, line));
+  progress.tell(run.notes);
+  const TriMesh mesh = join_parts_of(std::move(parts), run, progress);
   write_files(total, progress, run, mesh);
   print_report(run);
   return run.sound() ? kExitSuccess : kFaultFound;

@@ -37,13 +37,8 @@ std::string name_with(std::string name, std::int64_t label) {
 
 std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& source) {
   std::vector<CommandLine> lines;
-  std::vector<std::string> files = source.log.paths();
+  const std::vector<std::string> files = source.log.paths();
   const bool shared = !line.shared.empty();
-  if (shared) {
-    require_outputs(std::array{line.shared, line.json}, files);
-    files.push_back(line.shared);
-    if (line.json != "-") files.push_back(line.json);
-  }
   for (const LabelSamples& found : source.labels) {
     if (found.label == 0) continue;
     CommandLine one = line;
@@ -58,7 +53,7 @@ std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& 
       const bool is_object = in_one_file(line) || line.output.empty();  // or may become one
       if (segment.color && is_object) one.write.label = ObjectLabel{found.label, *segment.color};
     }
-    require_outputs(std::vector{one.output, one.json}, files);
+    require_outputs(std::array{line.shared, shared ? line.json : "", one.output, one.json}, files);
     lines.push_back(std::move(one));
   }
   if (lines.empty()) throw InputError(line.input, ": has no label but 0");
@@ -92,13 +87,12 @@ void write_labels(std::vector<MeshObject> objects, std::span<const std::int64_t>
 
 int run_labels(const CommandLine& line) {
   const Stopwatch all;
-  ProgressBar reading(mesh_stages(line), !line.quiet);
-  reading.show("reading", 0);
+  ProgressBar progress(mesh_stages(line), !line.quiet);
+  progress.show("reading", 0);
   Source source = read_source(line);
-  reading.clear();
-  print_warning(source.warning, line);
+  progress.tell(source.log.notes);
   const std::vector<CommandLine> lines = lines_of_labels(line, source);
-  if (!line.shared.empty()) return run_shared(all, source, line, lines);
+  if (!line.shared.empty()) return run_shared(all, source, line, lines, progress);
   source.labels = label_fields({source.volume, source.log.ids}, line.field, source.labels,
                                line.input, line.options.threads)
                       .weighed();
@@ -109,11 +103,11 @@ int run_labels(const CommandLine& line) {
   std::vector<std::int64_t> labels, open;
   for (const CommandLine& one : lines) {
     const Stopwatch total;
-    ProgressBar progress(mesh_stages(one), !one.quiet);
+    progress.restart(mesh_stages(one));
     const Input input = input_of(source, one);
     MeshRun run(one, input);
     run.is_one_of_all = true;
-    const TriMesh mesh = mesh_input(run, progress, warner(progress, one));
+    const TriMesh mesh = mesh_input(run, progress);
     write_files(total, progress, run, mesh, in_one_file(line) ? &objects : nullptr);
     labels.push_back(one.field.labels.front());
     if (run.is_open_label()) open.push_back(labels.back());
@@ -127,7 +121,9 @@ int run_labels(const CommandLine& line) {
                      width);
   }
   if (!objects.empty()) write_labels(std::move(objects), labels, line.output);
-  print_warning(border_advice(open), line);
+  Diagnostics notes;
+  advise_of_border(open, notes);
+  progress.tell(notes);
   if (!line.quiet) print_report(table, line.output == "-");
   return all_sound ? kExitSuccess : kFaultFound;
 }

@@ -44,8 +44,6 @@ namespace {
 // of T, which has about eight vertices for one of the mesh.
 constexpr double kManyVertices = 1e7, kMaxVertices = 2.5e8;
 
-using Warn = std::function<void(const std::string&)>;
-
 // Throws InputError if no sample can be on one of the two sides. Caps alone are the mesh of labels
 // that fill the volume.
 void require_isovalue_in_range(const MeshRun& run) {
@@ -95,15 +93,16 @@ void examine(const TriMesh& mesh, const TriMesh& surface, bool reported, MeshRun
   const VolumeSource& field = run.input.field.source;
   const Grid& grid = field.shape;
   std::string boundary_fault;
+  // Warnings, which come without a report too, need topology and quality.
   std::vector<std::function<void()>> looks{
       [&] { run.fault = check_mesh(mesh); },
-      [&] { boundary_fault = check_boundary_on_box(surface, grid.box()); }};
+      [&] { boundary_fault = check_boundary_on_box(surface, grid.box()); },
+      [&] { run.mesh = mesh_topology(surface).counts(); },
+      [&] {
+        run.quality =
+            measure_quality(surface, options.limits[Criterion::r_over_l].value, run.report.r_min);
+      }};
   if (reported) {
-    looks.emplace_back([&] { run.mesh = mesh_topology(surface).counts(); });
-    looks.emplace_back([&] {
-      run.quality =
-          measure_quality(surface, options.limits[Criterion::r_over_l].value, run.report.r_min);
-    });
     looks.emplace_back([&] { run.close = close_places(surface, field, options.threads); });
   }
   if (reported && options.cap) {
@@ -167,7 +166,7 @@ TriMesh rounded_mesh(const TriMesh& mesh, const CommandLine& line) {
 // step makes triangles cross (docs/proof.md, Corollary 7.1), so no other mesh is searched. If there
 // are some, counts those of the doubles too, to see whether rounding is the cause, and tries
 // another rounding. Returns a mesh to write in place of `mesh`, if that helps.
-std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run, const Warn& warn) {
+std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run) {
   const CommandLine& line = run.line;
   const bool is_written = !line.output.empty();
   const bool is_single = is_written && writes_single_precision(line.write);
@@ -180,7 +179,7 @@ std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run,
   const std::vector<Vec3> points =
       is_written ? written_points(mesh, line.write) : std::vector<Vec3>(mesh.points);
   if (is_single) {
-    warn_of_rounding(points, run.report.max_distance, run.input.grid(), warn);
+    warn_of_rounding(points, run.report.max_distance, run.input.grid(), run.notes);
   }
   run.written = run.in_double = find(points);
   if (!is_single || run.written.count() == 0) return std::nullopt;
@@ -196,18 +195,19 @@ std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run,
 }
 
 // Returns the mesh of the run's input, without a look at it.
-TriMesh make_mesh(MeshRun& run, Progress& progress, const Warn& warn) {
+TriMesh make_mesh(MeshRun& run, Progress& progress) {
   const CommandLine& line = run.line;
   const Volume& volume = run.input.volume();
   const double isovalue = *run.input.isovalue;
   if (!line.allow_empty) require_isovalue_in_range(run);
   if (run.input.field.label && run.input.range->max < isovalue) {
     const LabelFacts& label = *run.input.field.label;
-    warn(vanished_text(joined(label.labels, ", "), label.samples));
+    warn_of_vanished(joined(label.labels, ", "), label.samples, run.notes);
   }
   require_limits(line.options, volume);
-  warn_of_size(expected_vertices(volume, isovalue, line.options), warn);
-  if (const std::string advice = mask_advice(run.input); !advice.empty()) warn(advice);
+  warn_of_size(expected_vertices(volume, isovalue, line.options), run.notes);
+  advise_of_mask(run.input, run.notes);
+  progress.tell(run.notes);
 
   if (line.paper) {
     PublishedProgress shown(progress);
@@ -220,25 +220,28 @@ TriMesh make_mesh(MeshRun& run, Progress& progress, const Warn& warn) {
 
 }  // namespace
 
-void warn_of_size(double vertices, const Warn& warn) {
+void warn_of_size(double vertices, Diagnostics& notes) {
   if (vertices <= kManyVertices) return;
   const std::string words = text("about ", grouped(static_cast<std::uint64_t>(vertices / 1e6)),
                                  " million vertices are to be expected; a larger --max-distance or "
                                  "--rmin, or --vertices N, gives fewer");
   if (vertices > kMaxVertices) throw InputError("too large: ", words);
-  warn(words);
+  add_warning(notes, "many-vertices", "", words).with("vertices", vertices);
 }
 
 void warn_of_rounding(const std::vector<Vec3>& points, double max_distance, const Grid& volume,
-                      const Warn& warn) {
+                      Diagnostics& notes) {
   constexpr double kMostOfDistance = 0.25;
   const double usual = Options::usual_limits()[Criterion::distance].in(volume);
   const double bound = max_distance > 0 && max_distance < Options::kNone ? max_distance : usual;
   const double moved = float_rounding(points), voxel = volume.voxel();
   if (moved <= kMostOfDistance * bound) return;
-  warn(text("so far from the origin, single precision moves vertices by up to ",
-            rounded(moved / voxel), " voxels along an axis, where D = ", rounded(bound / voxel),
-            " voxels: give --origin 0,0,0; ", kKeepDoubles));
+  add_warning(notes, "rounded-to-float", "",
+              "so far from the origin, single precision moves vertices by up to ",
+              rounded(moved / voxel), " voxels along an axis, where D = ", rounded(bound / voxel),
+              " voxels: give --origin 0,0,0; ", kKeepDoubles)
+      .with("moved_voxels", moved / voxel)
+      .with("max_distance_voxels", bound / voxel);
 }
 
 MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
@@ -255,7 +258,7 @@ MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
   return options;
 }
 
-void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress, const Warn& warn) {
+void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress) {
   const CommandLine& line = run.line;
   progress.show("check", 0);
   const Stopwatch watch;
@@ -267,10 +270,12 @@ void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress, const W
   const TriMesh& surface = line.options.cap ? without_caps : mesh;
   const bool reported = !line.quiet || line.check || !line.json.empty();
   examine(mesh, surface, reported, run);
-  if (!line.quiet && count_stop(run) != CountStop::none) warn(count_text(run));
-  if (const std::string advice = tie_advice(run); reported && !advice.empty()) warn(advice);
-  if (run.is_open_label() && !run.is_one_of_all) warn(border_advice(run.input.field.label->labels));
-  run.rounded = find_faults_as_written(mesh, run, warn);
+  warn_of_count(counted_mesh(run), run.notes);
+  advise_of_ties(run);
+  run.rounded = find_faults_as_written(mesh, run);
+  progress.tell(run.notes);
+  if (run.is_open_label()) advise_of_border(run.input.field.label->labels, run.notes);
+  if (!run.is_one_of_all) progress.tell(run.notes);
   if (line.check) verify_run(mesh, progress, run);
   run.seconds_check = watch.seconds();
 }
@@ -283,20 +288,13 @@ void require_surface(const MeshRun& run, const TriMesh& mesh) {
                    " is empty (--allow-empty accepts that)");
 }
 
-TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
+TriMesh mesh_input(MeshRun& run, Progress& progress) {
   return of_unchanged(run.input.log.files, [&] {
-    TriMesh mesh = make_mesh(run, progress, warn);
+    TriMesh mesh = make_mesh(run, progress);
     require_surface(run, mesh);
-    examine_mesh(run, mesh, progress, warn);
+    examine_mesh(run, mesh, progress);
     return mesh;
   });
-}
-
-std::function<void(const std::string&)> warner(ProgressBar& progress, const CommandLine& line) {
-  return [&](const std::string& warning) {
-    progress.clear();
-    print_warning(warning, line);
-  };
 }
 
 void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run, const TriMesh& mesh,
@@ -332,11 +330,10 @@ int run_mesh(const CommandLine& line) {
   ProgressBar progress(mesh_stages(line), !line.quiet);
   progress.show("reading", 0);
   const Source source = read_source(line);
-  progress.clear();
-  print_warning(source.warning, line);  // before the field is made, which may take long
+  progress.tell(source.log.notes);  // before the field is made, which may take long
   const Input input = input_of(source, line);
   MeshRun run(line, input);
-  const TriMesh mesh = mesh_input(run, progress, warner(progress, line));
+  const TriMesh mesh = mesh_input(run, progress);
   write_files(total, progress, run, mesh);
   print_report(run);
   return run.sound() ? kExitSuccess : kFaultFound;

@@ -27,6 +27,8 @@ int run_part(const CommandLine& line) {
   std::vector<std::string> files = log.paths();
   if (line.input == "-") files.push_back(line.input);
   require_outputs(std::array{line.output}, files);
+  progress.tell(line.notes);
+  progress.tell(log.notes);
   PartFile part = of_unchanged(log.files, [&] {
     return make_part(source_of(volume), line, line.input, &progress, log.ids);
   });

@@ -105,13 +105,14 @@ std::string caption_of(const std::string& label, const std::string& file, const 
 }  // namespace
 
 std::string draw(std::span<const TriMesh> meshes, std::span<const MeshNotes> notes,
-                 const CommandLine& line) {
+                 const CommandLine& line, Diagnostics& told) {
   std::optional<Input> input;
   const AnatomicalSpace space = space_of(meshes);
   if (!line.input.empty()) {
     input = read_input(line);
-    turn_to(space, *input);
+    turn_to(space, line, *input);
   }
+  for (const Diagnostic& item : input ? input->log.notes : line.notes) add_to(told, item);
   FacetColors colors = color_facets(meshes, notes, line, input ? &*input : nullptr);
   const Box3 box = box_of(meshes);
   TriMesh one;
@@ -178,7 +179,9 @@ int run_render(const CommandLine& line) {
   for (const std::string& name : line.meshes) {
     meshes.push_back(read_mesh(name, &notes.emplace_back()));
   }
-  const std::string report = draw(meshes, notes, line);
+  Diagnostics told;
+  const std::string report = draw(meshes, notes, line, told);
+  print_warnings(told);
   if (!line.quiet) print_report(report, line.output == "-");
   return kExitSuccess;
 }

@@ -48,10 +48,9 @@ void write_label_meshes(const SharedRun& run, std::span<const CommandLine> lines
 }  // namespace
 
 int run_shared(const Stopwatch& total, const Source& source, const CommandLine& line,
-               std::span<const CommandLine> lines) {
-  ProgressBar progress(mesh_stages(line), !line.quiet);
+               std::span<const CommandLine> lines, ProgressBar& progress) {
   SharedRun run(line, source, lines);
-  make_shared_mesh(run, progress, warner(progress, line));
+  make_shared_mesh(run, progress);
   progress.show("writing", 0);
   const Stopwatch watch;
   write_label_meshes(run, lines);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The trace command: volume and isovalue in, a page out that shows the mesher's work.
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -21,10 +20,6 @@
 
 namespace deliso {
 namespace {
-
-void tell(const std::string& note, bool quiet) {
-  if (!quiet) std::fprintf(stderr, "deliso: note: %s\n", note.c_str());
-}
 
 // Meshes the volume, with the report, while the trace is filled.
 TriMesh traced_mesh(const CommandLine& line, const Input& input, Progress& progress, Trace& trace,
@@ -48,6 +43,8 @@ int run_trace(const CommandLine& line) {
   ProgressBar progress(mesh_stages(line), !line.quiet);
   progress.show("reading", 0);
   const Input input = read_input(line);
+  Diagnostics notes = input.log.notes;
+  progress.tell(notes);
   require_limits(line.options, input.grid());
   Trace trace(line.trace_limit, line.trace_times);
   Report report;
@@ -69,16 +66,15 @@ int run_trace(const CommandLine& line) {
   }
   progress.clear();
   if (trace.truncated()) {
-    tell(text("the page has the first ", line.trace_limit, " of ", trace.events_seen(),
-              " events: --trace-limit N takes more"),
-         line.quiet);
+    add_warning(notes, "trace-cut", "", "the page has the first ", line.trace_limit, " of ",
+                trace.events_seen(), " events: --trace-limit N takes more");
   }
   if (!has_samples) {
-    tell(
-        "the page has no slices of the volume, which has more than 2 million samples: --roi "
-        "takes a part",
-        line.quiet);
+    add_warning(notes, "trace-without-slices", "",
+                "the page has no slices of the volume, which has more than 2 million samples: "
+                "--roi takes a part");
   }
+  progress.tell(notes);
   if (!line.quiet && line.output != "-") {
     print(counted(trace.size(), "event") + ", " + counted(mesh.faces.size(), "triangle") +
           " in the end, in " + one_line(line.output) + "\n");

@@ -67,7 +67,13 @@ int run_view(const CommandLine& line) {
   std::vector<TriMesh> meshes;
   for (const std::string& name : line.meshes) meshes.push_back(read_mesh(name));
   std::optional<Input> input;
-  if (!line.input.empty()) input = read_input(line, line.meshes);
+  if (!line.input.empty()) {
+    input = read_input(line, line.meshes);
+    for (const TriMesh& mesh : meshes) {
+      warn_of_space(mesh.frame.space, line, input->log.notes);
+    }
+    print_warnings(input->log.notes);
+  }
 
   const Vec3 middle = middle_of(meshes);
   PageData data;

@@ -26,8 +26,6 @@ namespace {
 
 constexpr std::string_view kAllLabels = " label=all";  // at the end of the file's comment
 
-using Warn = std::function<void(const std::string&)>;
-
 // Throws InputError if a label has a number that stands for a face of the box.
 void require_numbers(const CommandLine& line, std::span<const LabelSamples> labels) {
   for (const LabelSamples& l : labels) {
@@ -83,13 +81,13 @@ BodyId background_of(std::span<const SharedLabel> labels) {
   return kNoId;
 }
 
-// Tells of each label without a sample where its field is the largest.
-void warn_of_vanished(SharedRun& run, const Partition& partition, const Warn& warn) {
+// Warns of each label without a sample where its field is the largest.
+void find_vanished(SharedRun& run, const Partition& partition) {
   const std::vector<std::uint64_t> kept = partition.samples();
   for (BodyId body = 0; body < run.labels.size(); ++body) {
     SharedLabel& l = run.labels[body];
     l.kept = kept[body];
-    if (l.kept == 0) warn(vanished_text(text(l.label.label), l.label.samples));
+    if (l.kept == 0) warn_of_vanished(text(l.label.label), l.label.samples, run.notes);
   }
 }
 
@@ -140,7 +138,7 @@ void examine_labels(SharedRun& run, const Partition& partition) {
 }
 
 // Measures the whole mesh, and looks for crossings in it as its file will have it.
-void examine_whole(SharedRun& run, const Warn& warn) {
+void examine_whole(SharedRun& run) {
   const TriMesh mesh = united_mesh(run);
   const double lambda = run.line.options.limits[Criterion::r_over_l].value;
   run.quality = measure_quality(mesh, lambda, run.line.options.r_min.in(run.input.grid()));
@@ -148,7 +146,7 @@ void examine_whole(SharedRun& run, const Warn& warn) {
   if (!write.format) write.format = MeshFormat::ply;
   const WrittenMesh written = written_mesh(mesh, write);
   if (writes_single_precision(write)) {
-    warn_of_rounding(written.points, run.report.max_distance, run.input.grid(), warn);
+    warn_of_rounding(written.points, run.report.max_distance, run.input.grid(), run.notes);
   }
   run.written = find_place_faults(written.points, written.triangles, run.line.options.threads);
   std::vector<VertexId> used;
@@ -159,15 +157,17 @@ void examine_whole(SharedRun& run, const Warn& warn) {
   run.surface_vertices = used.size();
 }
 
-void mesh_labels(SharedRun& run, Progress& progress, const Warn& warn) {
+void mesh_labels(SharedRun& run, Progress& progress) {
   const CommandLine& line = run.line;
   const Grid& volume = run.input.grid();
   require_limits(line.options, volume);
   std::vector<Volume> fields = fields_of(run, progress);
-  warn_of_size(expected_vertices(estimate_interfaces(fields), volume, line.options), warn);
+  warn_of_size(expected_vertices(estimate_interfaces(fields), volume, line.options), run.notes);
+  progress.tell(run.notes);
   const Partition partition(volume, std::move(fields), background_of(run.labels),
                             line.options.threads);
-  warn_of_vanished(run, partition, warn);
+  find_vanished(run, partition);
+  progress.tell(run.notes);
   Options options = line.options;
   options.observer = &progress;
   run.mesh = mesh_interfaces(partition, options, run.report);
@@ -180,9 +180,9 @@ void mesh_labels(SharedRun& run, Progress& progress, const Warn& warn) {
   const Stopwatch watch;
   find_sides(run, partition);
   examine_labels(run, partition);
-  examine_whole(run, warn);
-  const CountedMesh asked = counted_mesh(run);
-  if (count_stop(asked) != CountStop::none) warn(count_text(asked));
+  examine_whole(run);
+  warn_of_count(counted_mesh(run), run.notes);
+  progress.tell(run.notes);
   run.seconds_check = watch.seconds();
 }
 
@@ -212,13 +212,11 @@ double sharp_percent(const MeshQuality& quality) {
 
 SharedRun::SharedRun(const CommandLine& command_line, const Source& source,
                      std::span<const CommandLine> lines)
-    : line(command_line), input{line.input,
-                                unfiltered_field(source_of(source.volume), line.field),
-                                source.range,
-                                source.log,
-                                source.seconds,
-                                {},
-                                source.warning} {
+    : line(command_line),
+      input{line.input,     unfiltered_field(source_of(source.volume), line.field),
+            source.range,   source.log,
+            source.seconds, {}},
+      notes(source.log.notes) {
   for (const LabelSamples& found : source.labels) {
     SharedLabel label;
     label.label = found;
@@ -236,9 +234,9 @@ bool SharedRun::sound() const {
          });
 }
 
-void make_shared_mesh(SharedRun& run, Progress& progress, const Warn& warn) {
+void make_shared_mesh(SharedRun& run, Progress& progress) {
   of_unchanged(run.input.log.files, [&] {
-    mesh_labels(run, progress, warn);
+    mesh_labels(run, progress);
     return true;
   });
 }

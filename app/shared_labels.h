@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -44,7 +43,8 @@ struct SharedRun {
             std::span<const CommandLine> lines);
 
   const CommandLine& line;
-  Input input;  // the labels, before they are smoothed
+  Input input;        // the labels, before they are smoothed
+  Diagnostics notes;  // those of the input, and the run's own
   // Of each body of the mesh, in the order of their numbers.
   std::vector<SharedLabel> labels;
 
@@ -62,10 +62,9 @@ struct SharedRun {
   bool sound() const;
 };
 
-// Meshes the labels of the volume and looks at the mesh. Calls `warn` with each warning, one line:
-// of each label that vanished, too. Throws InputError, also if a file of the input has changed.
-void make_shared_mesh(SharedRun& run, Progress& progress,
-                      const std::function<void(const std::string&)>& warn);
+// Meshes the labels of the volume and looks at the mesh. Warns of each label that vanished, too.
+// Throws InputError, also if a file of the input has changed.
+void make_shared_mesh(SharedRun& run, Progress& progress);
 
 // Returns the mesh of all interfaces, with the frame of the volume, and how it is written. It is no
 // manifold where three labels meet.

@@ -13,6 +13,7 @@
 #include "app/input.h"
 #include "app/option_table.h"
 #include "app/peak_memory.h"
+#include "app/report_writer.h"
 #include "app/text.h"
 #include "base/text.h"
 #include "c/normals.h"
@@ -23,6 +24,8 @@ namespace {
 
 constexpr std::size_t kErrorSize = 1024;  // an InputError has some 500 bytes at most
 thread_local char last_error[kErrorSize];
+thread_local Diagnostics last_notes;
+thread_local std::string last_notes_text;
 constexpr double kUnitLength = 1e-4;  // a direction's deviation from length 1
 
 }  // namespace
@@ -30,6 +33,10 @@ constexpr double kUnitLength = 1e-4;  // a direction's deviation from length 1
 deliso_status failed(deliso_status status, const char* message, const char* more) noexcept {
   std::snprintf(last_error, kErrorSize, "%s%s", message, more);
   return status;
+}
+
+void tell(Diagnostics notes) {
+  last_notes = std::move(notes);
 }
 
 void require(const void* pointer, const char* name) {
@@ -112,6 +119,7 @@ void take(const TriMesh& surface, MeshRun& run, double seconds, deliso_mesh& mad
   run.peak_bytes = peak_memory_bytes();
   run.seconds_total = seconds;
   made.report = report_json(run);
+  tell(run.notes);
 }
 
 char* copied(const std::string& text) {
@@ -125,4 +133,16 @@ char* copied(const std::string& text) {
 
 const char* deliso_last_error() {
   return deliso::c::last_error;
+}
+
+const char* deliso_notes() {
+  using namespace deliso;
+  try {
+    ReportWriter out("notes");
+    add_diagnostics(out, c::last_notes);
+    c::last_notes_text = out.finish();
+    return c::last_notes_text.c_str();
+  } catch (const std::bad_alloc&) {
+    return R"({"diagnostics": []})";
+  }
 }

@@ -14,6 +14,7 @@
 #include "app/progress.h"
 #include "base/cancel.h"
 #include "base/check.h"
+#include "base/diagnostics.h"
 #include "blocks/block.h"
 #include "c/deliso.h"
 #include "io/mesh/read_mesh.h"
@@ -37,7 +38,7 @@ struct deliso_mesh {
   deliso::AnatomicalSpace space{};
   deliso::MeshNotes notes;  // of a mesh that was read
   std::string names;        // of labels' segments in a mesh of all labels: lines "label name"
-  std::string report, warnings;
+  std::string report;
 };
 
 namespace deliso::c {
@@ -47,10 +48,14 @@ inline constexpr char kName[] = "array";  // of a volume that is no file
 // Keeps the message, and what is said after it, for deliso_last_error(). Returns the status.
 deliso_status failed(deliso_status status, const char* message, const char* more = "") noexcept;
 
+// Keeps the list for deliso_notes().
+void tell(Diagnostics notes);
+
 // Calls f, which returns whether a mesh is without faults, with the watch's flag in force.
 template <class F>
 deliso_status guarded(const deliso_watch* watch, F f) noexcept {
   try {
+    tell({});
     const CancelScope scope(watch ? watch->cancel : nullptr);
     return f() ? DELISO_OK : failed(DELISO_FAULT, "the mesh has faults, which the report names");
   } catch (const InputError& error) {

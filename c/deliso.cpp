@@ -24,8 +24,8 @@
 #include "base/text.h"
 #include "base/version.h"
 #include "c/call.h"
+#include "io/files/json_value.h"
 #include "io/files/text_scan.h"
-#include "io/filter/nan_samples.h"
 #include "io/mesh/read_mesh.h"
 #include "io/mesh/write_mesh.h"
 #include "io/volume/read_volume.h"
@@ -39,34 +39,43 @@ namespace {
 constexpr double kNoIsovalue = std::numeric_limits<double>::quiet_NaN();
 
 Source source_of(const deliso_volume& volume, const CommandLine& line) {
-  const Stopwatch watch;
-  const int threads = line.options.threads;
-  std::uint64_t count = 0;
-  const Volume samples =
-      line.field.nan ? without_nan(volume.volume, *line.field.nan, count) : volume.volume;
   if (!volume.log.ids.empty() && !may_be_labels(line)) {
     throw InputError(volume.name,
                      ": float64 does not hold all of its integers of 64 bits exactly: only labels "
                      "are read so, with label");
   }
-  Source source{samples, range_of(samples, volume.log, volume.name), {}, volume.log, 0};
-  if (line.field.of_labels()) {
-    source.labels = find_labels({samples, volume.log.ids}, volume.name, threads);
-  }
-  source.seconds = watch.seconds();
-  return source;
+  return deliso::source_of(volume.volume, volume.log, line);
 }
 
-// Meshes the input, which the line's run is about. Returns whether the mesh is sound.
+// Warns of rounding to float, as the run of this report does if it writes the file.
+Diagnostics notes_of_rounding(const std::string& report, const TriMesh& mesh,
+                              const MeshWriteOptions& write) {
+  Diagnostics notes;
+  if (report.empty() || !writes_single_precision(write)) return notes;
+  const JsonValue json = parse_json(report, "report");
+  const std::vector<JsonValue>& spacing = json["volume"]["spacing"].items;
+  const auto is_length = [](const JsonValue& length) { return length.number > 0; };
+  if (spacing.size() != 3 || !std::ranges::all_of(spacing, is_length)) return notes;
+  // Of a grid of any size: lengths are relative to its voxels.
+  const Grid grid({2, 2, 2}, {spacing[0].number, spacing[1].number, spacing[2].number},
+                  SampleType::u8);
+  warn_of_rounding(written_points(mesh, write), json["max_distance"].number, grid, notes);
+  return notes;
+}
+
+// Meshes the input, which the line's run is about. Returns whether the mesh is sound. Adds to
+// `notes` those of the run.
 bool make_mesh(const CommandLine& line, const Source& source, WatchedProgress& progress,
-               std::unique_ptr<deliso_mesh>& made) {
+               std::unique_ptr<deliso_mesh>& made, Diagnostics* notes = nullptr) {
   const Stopwatch total;
   const Input input = deliso::input_of(source, line);
   MeshRun run(line, input);
   made = std::make_unique<deliso_mesh>();
-  const TriMesh surface = mesh_input(
-      run, progress, [&](const std::string& warning) { made->warnings += warning + "\n"; });
+  const TriMesh surface = mesh_input(run, progress);
   take(surface, run, total.seconds(), *made);
+  for (const Diagnostic& item : run.notes) {
+    if (notes) add_to(*notes, item);
+  }
   return run.sound();
 }
 
@@ -76,6 +85,17 @@ CommandLine line_of(std::vector<std::string> words, const deliso_volume& volume,
   words.push_back(volume.name);
   return parse(std::move(words), isovalue, options,
                volume.is_file ? Reads::read_before : Reads::nothing);
+}
+
+// Parses the options of a command about all labels; `words` has them.
+CommandLine line_of_all(std::vector<std::string> words, const deliso_volume& volume,
+                        const char* const* options) {
+  for (const char* const* option = options; option && *option; ++option) {
+    if (std::string_view(*option).starts_with("label")) {
+      throw InputError(quote(*option), ": all labels are meshed, and no option chooses them");
+    }
+  }
+  return line_of(std::move(words), volume, kNoIsovalue, options);
 }
 
 TriMesh tri_mesh_of(const deliso_mesh* mesh) {
@@ -128,6 +148,11 @@ std::optional<ObjectLabel> label_of(int32_t number) {
   return ObjectLabel{0, {byte(16), byte(8), byte(0)}};  // its number comes with the label
 }
 
+// Returns the path such that it is no option.
+std::string name_of(const char* path) {
+  return text(*path == '-' ? "./" : "", path);
+}
+
 std::string text_or_empty(const char* text) {
   return text ? text : "";
 }
@@ -149,6 +174,7 @@ deliso_status deliso_volume_create(const void* samples, int type, const size_t s
     grid.read.as_labels = true;
     const Bytes bytes{kName, {static_cast<const std::byte*>(samples), data_size(grid)}, nullptr};
     Volume made = volume_from_raw(grid, bytes);
+    tell(log.notes);
     *volume = new deliso_volume{kName, std::move(made), std::move(log)};
     return true;
   });
@@ -159,11 +185,12 @@ deliso_status deliso_volume_read(const char* path, const char* const* options,
   return guarded(nullptr, [&] {
     require(path, "path");
     require(volume, "volume");
-    const std::string name = text(*path == '-' ? "./" : "", path);  // no option
+    const std::string name = name_of(path);
     CommandLine line = parse({"info", name}, options, Reads::now);
     line.read.as_labels = true;
     ReadLog log;
     Volume samples = read_volume(name, line.read, &log);
+    tell(log.notes);
     *volume = new deliso_volume{name, std::move(samples), std::move(log), true};
     return true;
   });
@@ -197,22 +224,24 @@ deliso_status deliso_mesh_labels(const deliso_volume* volume, const char* const*
   return guarded(watch, [&] {
     require(volume, "volume");
     if (!take) throw InputError("take is null");
-    const CommandLine line = line_of({"mesh", "--label=all"}, *volume, kNoIsovalue, options);
+    const CommandLine line = line_of_all({"mesh", "--label=all"}, *volume, options);
     Source source = ::source_of(*volume, line);
     const std::vector<CommandLine> lines = lines_of_labels(line, source);
     source.labels = label_fields({source.volume, source.log.ids}, line.field, source.labels,
                                  volume->name, line.options.threads)
                         .weighed();
     bool all_sound = true;
+    Diagnostics notes;
     for (std::size_t n = 0; n < lines.size(); ++n) {
       const double all = static_cast<double>(lines.size()), begin = static_cast<double>(n) / all;
       WatchedProgress progress(mesh_stages(lines[n]), watch, begin, begin + 1 / all);
       std::unique_ptr<deliso_mesh> made;
-      const bool sound = make_mesh(lines[n], source, progress, made);
+      const bool sound = make_mesh(lines[n], source, progress, made, &notes);
       take(context, lines[n].field.labels.front(), made.release(),
            sound ? DELISO_OK : DELISO_FAULT);
       all_sound &= sound;
     }
+    tell(std::move(notes));
     return all_sound;
   });
 }
@@ -223,16 +252,14 @@ deliso_status deliso_mesh_shared(const deliso_volume* volume, const char* const*
     require(volume, "volume");
     require(mesh, "mesh");
     const Stopwatch total;
-    CommandLine line =
-        line_of({"mesh", "--label=all", "--shared=array.ply"}, *volume, kNoIsovalue, options);
+    CommandLine line = line_of_all({"mesh", "--label=all", "--shared=array.ply"}, *volume, options);
     WatchedProgress progress(mesh_stages(line), watch);
     line.shared.clear();  // no file is written
     line.write.format.reset();
     const Source source = ::source_of(*volume, line);
     SharedRun run(line, source, lines_of_labels(line, source));
     auto made = std::make_unique<deliso_mesh>();
-    make_shared_mesh(run, progress,
-                     [&](const std::string& warning) { made->warnings += warning + "\n"; });
+    make_shared_mesh(run, progress);
     made->mesh = written_mesh(united_mesh(run), {.format = MeshFormat::ply});
     made->write = united_options(run);
     made->space = source.volume.frame().space;
@@ -242,6 +269,7 @@ deliso_status deliso_mesh_shared(const deliso_volume* volume, const char* const*
     run.peak_bytes = peak_memory_bytes();
     run.seconds_total = total.seconds();
     made->report = report_json(run);
+    tell(run.notes);
     *mesh = made.release();
     return run.sound();
   });
@@ -295,7 +323,6 @@ deliso_status deliso_mesh_get_data(const deliso_mesh* mesh, deliso_mesh_data* da
     data->triangles = deliso_mesh_triangles(mesh, &data->triangle_count);
     data->normals = mesh->normals.empty() ? nullptr : deliso_mesh_normals(mesh, nullptr);
     data->report = deliso_mesh_report(mesh);
-    data->warnings = deliso_mesh_warnings(mesh);
     data->comment = mesh->write.comment.c_str();
     data->name = mesh->write.name.c_str();
     data->space = short_name_of(mesh->space).data();
@@ -330,7 +357,6 @@ deliso_status deliso_mesh_from_data(const deliso_mesh_data* data, deliso_mesh** 
     }
     if (data->normals) made->normals = read_vectors(data->normals, data->vertex_count);
     made->report = text_or_empty(data->report);
-    made->warnings = text_or_empty(data->warnings);
     made->write.comment = text_or_empty(data->comment);
     made->write.name = text_or_empty(data->name);
     made->space = space_of(data->space);
@@ -388,17 +414,16 @@ const char* deliso_mesh_report(const deliso_mesh* mesh) {
   return mesh_or_empty(mesh).report.c_str();
 }
 
-const char* deliso_mesh_warnings(const deliso_mesh* mesh) {
-  return mesh_or_empty(mesh).warnings.c_str();
-}
-
 deliso_status deliso_mesh_save(const deliso_mesh* mesh, const char* path) {
   return guarded(nullptr, [&] {
     require(path, "path");
     const TriMesh made = tri_mesh_of(mesh);
     MeshWriteOptions write = mesh->write;
     write.label.reset();  // colors are of several labels
+    write.format = mesh_format_of(path);
+    Diagnostics notes = notes_of_rounding(mesh->report, made, write);
     write_mesh(made, path, write);
+    tell(std::move(notes));
     return true;
   });
 }
@@ -435,7 +460,9 @@ deliso_status deliso_render(const deliso_mesh* const* meshes, size_t count,
       notes.push_back(meshes[n]->notes);
       if (notes.back().sides.empty()) notes.back().sides = meshes[n]->write.sides;
     }
-    draw(drawn, notes, parse(std::move(words), options, Reads::now));
+    Diagnostics told;
+    draw(drawn, notes, parse(std::move(words), options, Reads::now), told);
+    tell(std::move(told));
     return true;
   });
 }
@@ -449,6 +476,26 @@ deliso_status deliso_info(const deliso_volume* volume, double isovalue, const ch
     const Input input = deliso::input_of(source_of(*volume, line), line);
     WatchedProgress progress(info_stages(line), watch);
     *json = copied(info_json(find_info(input, line, progress)));
+    tell(input.log.notes);
+    return true;
+  });
+}
+
+deliso_status deliso_info_file(const char* path, double isovalue, const char* const* options,
+                               const deliso_watch* watch, char** json) {
+  return guarded(watch, [&] {
+    require(path, "path");
+    require(json, "json");
+    const CommandLine line = parse({"info", name_of(path)}, isovalue, options, Reads::now);
+    WatchedProgress progress(info_stages(line), watch);
+    try {
+      const Input input = read_to_inform(line);
+      *json = copied(info_json(find_info(input, line, progress)));
+      tell(input.log.notes);
+    } catch (const SeveralSeries& several) {
+      if (line.read.series) throw;
+      *json = copied(series_json(line.input, several.series));
+    }
     return true;
   });
 }
@@ -460,12 +507,13 @@ deliso_status deliso_check(const deliso_mesh* mesh, const deliso_volume* volume,
     require(volume, "volume");
     const CommandLine line = line_of({"check", "mesh"}, *volume, isovalue, options);
     Input input = deliso::input_of(source_of(*volume, line), line);
-    turn_to(mesh->space, input);
+    turn_to(mesh->space, line, input);
     WatchedProgress progress({{"check", 1}}, watch);
     const CheckRun run =
         check_mesh_in_world(tri_mesh_of(mesh), {{mesh->write.comment}, mesh->notes.rounding}, line,
                             input, [&](double share) { progress.show("check", share); });
     if (json) *json = copied(run.json);
+    tell(input.log.notes);
     return !run.verification.faults.any();
   });
 }

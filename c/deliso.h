@@ -85,6 +85,12 @@ DELISO_API const char* deliso_version(void);
  * until the next such call in this thread. */
 DELISO_API const char* deliso_last_error(void);
 
+/* Returns the notes and warnings of the last call in this thread that returned a status, as JSON:
+ * an object with the list "diagnostics", which reports have, too. An item has a code, a severity
+ * ("note" or "warning"), words, a file and values. A call that failed has none. The text is valid
+ * until the next call of this function in this thread. */
+DELISO_API const char* deliso_notes(void);
+
 /* The place of an array in the world. A null pointer to one stands for spacing 1, 1, 1. */
 typedef struct deliso_place {
   double spacing[3]; /* along x, y, z */
@@ -141,13 +147,13 @@ DELISO_API deliso_status deliso_mesh_shared(const deliso_volume* volume, const c
 DELISO_API const int64_t* deliso_mesh_sides(const deliso_mesh* mesh, size_t* count);
 
 /* Makes the mesh of one label of such a mesh, counterclockwise seen from outside: its triangles,
- * and their vertices. It is empty if no triangle has the label. It has no normals, report or
- * warnings. */
+ * and their vertices. It is empty if no triangle has the label. It has no normals or
+ * report. */
 DELISO_API deliso_status deliso_mesh_of_label(const deliso_mesh* shared, int64_t label,
                                               deliso_mesh** mesh);
 
 /* Makes a mesh, to be checked or saved, from copies of x, y, z for each vertex and of three numbers
- * of vertices for each triangle. It has no normals, report or warnings. */
+ * of vertices for each triangle. It has no normals or report. */
 DELISO_API deliso_status deliso_mesh_import(const double* vertices, size_t vertex_count,
                                             const uint32_t* triangles, size_t triangle_count,
                                             deliso_mesh** mesh);
@@ -158,13 +164,12 @@ DELISO_API void deliso_mesh_free(deliso_mesh* mesh); /* null is allowed */
 /* All that a mesh holds, so that a program can store it or send it to another process. A text may
  * be null, which stands for an empty one. An array without an entry may be null. */
 typedef struct deliso_mesh_data {
-  const double* vertices; /* the arrays, report and warnings: as the functions below return them */
+  const double* vertices; /* the arrays and the report: as the functions below return them */
   size_t vertex_count;
   const uint32_t* triangles;
   size_t triangle_count;
   const double* normals; /* one for each vertex; null if the mesh has none */
   const char* report;
-  const char* warnings;
   const char* comment;  /* of the mesh's files: the criteria, which a check reads */
   const char* name;     /* of a label's segment */
   const char* space;    /* of the volume, as in deliso_place */
@@ -189,13 +194,11 @@ DELISO_API deliso_status deliso_mesh_from_data(const deliso_mesh_data* data, del
  *   normals    a unit vector at each vertex, towards the smaller samples, against the gradient of
  *              the interpolant averaged over a voxel along each axis, on caps too; 0, 0, 0 where
  *              that is 0
- *   report     what the program writes with --json
- *   warnings   lines, or an empty text */
+ *   report     what the program writes with --json */
 DELISO_API const double* deliso_mesh_vertices(const deliso_mesh* mesh, size_t* count);
 DELISO_API const uint32_t* deliso_mesh_triangles(const deliso_mesh* mesh, size_t* count);
 DELISO_API const double* deliso_mesh_normals(const deliso_mesh* mesh, size_t* count);
 DELISO_API const char* deliso_mesh_report(const deliso_mesh* mesh);
-DELISO_API const char* deliso_mesh_warnings(const deliso_mesh* mesh);
 
 /* Writes the mesh as .ply, .off, .obj, .stl, .vtp, .glb, .3mf, .smesh or .poly, by the path's
  * ending. The file appears whole or not at all. */
@@ -214,6 +217,13 @@ DELISO_API deliso_status deliso_render(const deliso_mesh* const* meshes, size_t 
 DELISO_API deliso_status deliso_info(const deliso_volume* volume, double isovalue,
                                      const char* const* options, const deliso_watch* watch,
                                      char** json);
+
+/* Tells the same of any input of the program, with the options about reading, too. Of a file of
+ * several channels or times it tells of the first, if no option chooses one; of a folder of several
+ * series it lists these. */
+DELISO_API deliso_status deliso_info_file(const char* path, double isovalue,
+                                          const char* const* options, const deliso_watch* watch,
+                                          char** json);
 
 /* Compares a mesh with the exact surface, as the program's check command does, with the options of
  * that command. Returns DELISO_FAULT if it finds a fault. After DELISO_OK and DELISO_FAULT `json`

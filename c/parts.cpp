@@ -103,9 +103,7 @@ deliso_status deliso_join(const char* const* parts, const size_t* sizes, size_t 
     const Input input = input_of_join(line, field);
     MeshRun run(line, input);
     auto made = std::make_unique<deliso_mesh>();
-    const TriMesh surface =
-        join_parts_of(std::move(files), run, progress,
-                      [&](const std::string& warning) { made->warnings += warning + "\n"; });
+    const TriMesh surface = join_parts_of(std::move(files), run, progress);
     take(surface, run, total.seconds(), *made);
     *mesh = made.release();
     return run.sound();

@@ -23,14 +23,15 @@ struct Stack {
   std::int64_t images = 0;
 
   const DicomFile& first() const { return files[0]; }
-  // Returns how doubtful it is that the images are a volume, from 0 on, and why.
+  // Returns how doubtful it is that the images are a volume, from 0 on, and why, if that is not
+  // plain.
   std::pair<int, const char*> doubt() const {
     const DicomPlane plane = first().plane(0);
     const bool is_placed = (plane.position && plane.directions) || first().frame_count > 1;
     if (images < 2) return {2, ""};
-    if (!first().is_gray()) return {2, ", in color"};
-    if (!plane.spacing) return {1, ", no PixelSpacing"};
-    if (!is_placed) return {1, ", no positions"};
+    if (!first().is_gray()) return {2, "in color"};
+    if (!plane.spacing) return {1, "no PixelSpacing"};
+    if (!is_placed) return {1, "no positions"};
     return {0, ""};
   }
 };
@@ -96,38 +97,45 @@ std::vector<DicomFile> without_copies(const VolumeInput& input, std::vector<Dico
     }
   }
   const std::size_t more = files.size() - kept.size();
-  if (more > 0) input.note(note, more > 1 ? text(", and ", more - 1, " more copies") : "");
+  if (more > 0)
+    input.note("copies-left-out", note, more > 1 ? text(", and ", more - 1, " more copies") : "");
   return kept;
 }
 
-std::string line_of(const VolumeInput& input, const Stack& stack) {
+FoundSeries found_series(const VolumeInput& input, const Stack& stack) {
   const DicomFile& first = stack.first();
-  std::string name = first.description;
-  if (name.size() > kLongestName) name = name.substr(0, kLongestName - 3) + "...";
-  return one_line(text(quote(name), ", ", stack.images, stack.images == 1 ? " image" : " images",
-                       " of ", first.columns, " x ", first.rows, stack.doubt().second, " ('",
-                       path_within(input, first), "')"));
+  return {first.description, path_within(input, first), stack.images, first.columns,
+          first.rows,        stack.doubt().second};
 }
 
 [[noreturn]] void refuse_choice(const VolumeInput& input, const std::vector<Stack>& stacks) {
-  std::vector<std::string> lines;
-  lines.reserve(stacks.size());
-  for (const Stack& stack : stacks) lines.push_back(line_of(input, stack));
+  std::vector<FoundSeries> found;
+  found.reserve(stacks.size());
+  for (const Stack& stack : stacks) found.push_back(found_series(input, stack));
   std::string list;
   std::size_t listed = 0;
-  for (; listed < lines.size(); ++listed) {
-    const std::string line = text(listed > 0 ? "; " : "", listed + 1, " is ", lines[listed]);
+  for (; listed < found.size(); ++listed) {
+    const std::string line =
+        text(listed > 0 ? "; " : "", listed + 1, " is ", text_of(found[listed]));
     if (listed > 0 && input.name().size() + list.size() + line.size() > kLongestList) break;
     list += line;
   }
-  if (listed < lines.size()) {
-    list += text("; and ", lines.size() - listed, " more, which 'deliso info' lists");
+  if (listed < found.size()) {
+    list += text("; and ", found.size() - listed, " more, which 'deliso info' lists");
   }
-  throw SeveralSeries(std::move(lines), input.name(), ": holds ", stacks.size(),
+  throw SeveralSeries(std::move(found), input.name(), ": holds ", stacks.size(),
                       " series, of which --series N takes one: ", list);
 }
 
 }  // namespace
+
+std::string text_of(const FoundSeries& series) {
+  std::string name = series.description;
+  if (name.size() > kLongestName) name = name.substr(0, kLongestName - 3) + "...";
+  return one_line(text(quote(name), ", ", series.images, series.images == 1 ? " image" : " images",
+                       " of ", series.columns, " x ", series.rows, series.doubt.empty() ? "" : ", ",
+                       series.doubt, " ('", series.file, "')"));
+}
 
 ChosenSeries choose_series(const VolumeInput& input, std::vector<DicomFile> files) {
   std::vector<Stack> stacks = stacks_of(without_copies(input, std::move(files)));

@@ -73,7 +73,8 @@ double distance_of_slices(const VolumeInput& input, const DicomSlice& slice) {
          slice.file->frame_count > 1 ? "frames" : "slices", " (SpacingBetweenSlices)",
          kGiveSpacing);
   }
-  input.note("does not tell the distance of its slices: it is taken to be their thickness, ",
+  input.warn("slice-distance-guessed",
+             "does not tell the distance of its slices: it is taken to be their thickness, ",
              *plane.thickness);
   return *plane.thickness;
 }
@@ -181,7 +182,8 @@ std::vector<DicomSlice> sorted_slices(const VolumeInput& input,
   if (std::ranges::all_of(slices, has(&DicomPlane::location))) {
     place(slices, PlacedBy::location, input, undirected);
     if (are_apart()) {
-      input.note("has no positions of its slices: they are placed by SliceLocation");
+      input.note("slices-by-location",
+                 "has no positions of its slices: they are placed by SliceLocation");
       return slices;
     }
   }
@@ -190,7 +192,7 @@ std::vector<DicomSlice> sorted_slices(const VolumeInput& input,
     return std::pair(are_numbered ? slice.plane().instance_number() : std::nullopt,
                      with_long_numbers(slice.file->name()));
   });
-  input.note("has no positions of its slices: they are read in the order of their ",
+  input.warn("slices-by-order", "has no positions of its slices: they are read in the order of their ",
              are_numbered ? "InstanceNumber" : "files' names");
   place(slices, PlacedBy::order, input, undirected);
   return slices;
@@ -204,7 +206,7 @@ void find_missing_slices(const VolumeInput& input, const std::vector<DicomSlice>
     for (end = begin; end < gaps.size() && gaps[end] > kWideGap * usual;) ++end;
     if (begin == end || end - begin >= kWideGapsInRow) continue;
     const DicomSlice &here = slices[begin + 1], &before = slices[begin];
-    input.note("slices seem to be missing between ", name_beside(here, before), " and ",
+    input.warn("slices-missing", "slices seem to be missing between ", name_beside(here, before), " and ",
                name_beside(before, here), ", which lie ", rounded_length(gaps[begin]),
                " apart, where others have ", rounded_length(usual),
                ": the mesh has nothing of what they show");
@@ -224,7 +226,7 @@ void straighten(const VolumeInput& input, SampleGrid& grid, const Vec3& whole, d
   }
   if (largest <= kShearTolerance * length(whole) || largest > kShiftOfScatter * scatter) return;
   grid.steps[2] = upright;
-  input.note("the last slice is shifted by ", rounded_length(largest),
+  input.note("slices-straightened", "the last slice is shifted by ", rounded_length(largest),
              " against the first, as much as positions scatter: the stack is read upright");
 }
 
@@ -256,12 +258,12 @@ void set_step(DicomStack& stack, const VolumeInput& input) {
   const double step = length(grid.steps[2]);
   if (worst <= kUnevenSteps * step) return;
   if (input.options.spacing) {
-    input.note("slices lie up to ", rounded_length(worst), " from even steps of ",
+    input.note("slices-off-steps", "slices lie up to ", rounded_length(worst), " from even steps of ",
                rounded_length(step), ", and are read as even, by --spacing");
     return;
   }
   const auto [least, most] = std::ranges::minmax(gaps);
-  input.note("slices are uneven, from ", rounded_length(least), " to ", rounded_length(most),
+  input.note("slices-uneven", "slices are uneven, from ", rounded_length(least), " to ", rounded_length(most),
              " apart, and stay so: a voxel is as long as the distance of its slices");
   const double upright = step * count / length(whole);
   for (const double place : places) grid.places[2].push_back(place * upright);
@@ -297,7 +299,8 @@ DicomStack stack_of(const VolumeInput& input, const std::vector<DicomFile>& file
     const char* missing = given.position     ? "orientation"
                           : given.directions ? "position"
                                              : "position and orientation";
-    input.note("does not tell its ", missing, ": world coordinates are not the patient's");
+    input.warn("orientation-unknown", "does not tell its ", missing,
+               ": world coordinates are not the patient's");
   }
   return stack;
 }

@@ -48,8 +48,8 @@ std::size_t choose_array(const VolumeInput& input, std::vector<NamedArray> array
          " components per point: only scalar volumes can be meshed", others);
   }
   if (!wanted && arrays.size() > 1) {
-    input.note(one_line(text("array ", quote(arrays[chosen].name), " is read, one of ",
-                             arrays.size(), "; --array names another")));
+    input.note("array-chosen", "array ", quote(arrays[chosen].name), " is read, one of ",
+               arrays.size(), "; --array names another");
   }
   arrays[chosen].read = true;
   for (NamedArray& array : arrays) {

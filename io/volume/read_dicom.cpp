@@ -60,7 +60,8 @@ Volume volume_of_slices(const VolumeInput& input, const std::vector<DicomFile>& 
   const std::string how =
       is_even ? text(" (", slices[0].slope(), " * sample + ", slices[0].intercept(), ")")
               : ", slice by slice,";
-  input.note("samples are rescaled as the files ask", how, " and held as ", name_of(grid.type));
+  input.note("rescaled", "samples are rescaled as the files ask", how, " and held as ",
+             name_of(grid.type));
   return volume_from_slices(grid, write);
 }
 
@@ -75,8 +76,9 @@ void note_padding(const VolumeInput& input, const std::vector<DicomFile>& files)
   }
   if (count == 0) return;
   const std::string name = std::filesystem::path(first->name()).filename().string();
-  input.note("'", name, count > 1 ? text("' and ", count - 1, " more have") : "' has", " up to ",
-             most, " bytes behind the samples, which are not read");
+  input.note("bytes-after-samples", "'", name,
+             count > 1 ? text("' and ", count - 1, " more have") : "' has", " up to ", most,
+             " bytes behind the samples, which are not read");
 }
 
 Volume read_slices(const VolumeInput& input, const std::vector<DicomFile>& files) {
@@ -91,7 +93,8 @@ Volume read_slices(const VolumeInput& input, const std::vector<DicomFile>& files
   input.options.budget.require(input.name(), stored, data_size(grid));
   note_padding(input, files);
   if (first.photometric == "MONOCHROME1") {
-    input.note("is MONOCHROME1: small samples are shown bright; they are kept as stored");
+    input.note("inverted-gray",
+               "is MONOCHROME1: small samples are shown bright; they are kept as stored");
   }
   return volume_of_slices(input, files, slices, grid);
 }
@@ -101,7 +104,7 @@ Volume read_slices(const VolumeInput& input, const std::vector<DicomFile>& files
 Volume read_dicom_series(const VolumeInput& input, std::vector<DicomFile> files) {
   const ChosenSeries series = choose_series(input, std::move(files));
   if (series.left_out.empty()) return read_slices(input, series.files);
-  input.note(series.left_out);
+  input.note("series-left-out", series.left_out);
   try {
     return read_slices(input, series.files);
   } catch (const InputError& error) {

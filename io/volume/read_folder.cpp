@@ -24,11 +24,17 @@ template <class Iterator>
 std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> paths;
   std::error_code fault;
-  Iterator entry(folder, std::filesystem::directory_options::skip_permission_denied, fault);
+  // Folders without rights are passed over, but for this one.
+  const std::filesystem::directory_iterator readable(folder, fault);
+  Iterator entry;
+  if (!fault) {
+    entry = Iterator(folder, std::filesystem::directory_options::skip_permission_denied, fault);
+  }
   for (; !fault && entry != Iterator(); entry.increment(fault)) {
     std::error_code ignored;
     if (entry->is_regular_file(ignored)) paths.push_back(entry->path().string());
   }
+  if (fault == std::errc::no_such_file_or_directory) fail(folder, "changed while it was listed");
   if (fault) fail(folder, "cannot list the folder: ", fault.message());
   std::ranges::sort(paths);
   return paths;
@@ -79,7 +85,8 @@ Volume read_folder(const VolumeInput& input) {
   if (!others.empty()) {
     const std::string first = std::filesystem::path(others[0]).filename().string();
     const std::size_t more = others.size() - 1;
-    input.note("passed over '", first, more > 0 ? text("' and ", more, " more") : "'", ": no ",
+    input.note("files-passed-over", "passed over '", first,
+               more > 0 ? text("' and ", more, " more") : "'", ": no ",
                dicom.empty() ? "TIFF" : "DICOM", " images");
   }
   if (dicom.empty()) {

@@ -130,6 +130,7 @@ void read_geometry(const VolumeInput& input, const NiftiHeader& h, SampleGrid& g
   grid.set_spacing({h.pixdim[1], h.pixdim[2], h.pixdim[3]});
   if (h.qform_code <= 0) {
     input.note(
+        "orientation-unknown",
         "its qform and sform codes are 0: by the standard's method 1, sample (0, 0, 0) is at the "
         "origin, and no space is known");
     return;
@@ -164,7 +165,7 @@ void to_millimeters(const VolumeInput& input, const NiftiHeader& h, SampleGrid& 
   const auto convert = [&](Vec3& v) { v = unit == kMeter ? 1000 * v : v / 1000; };
   convert(grid.origin);
   for (Vec3& step : grid.steps) convert(step);
-  input.note("lengths are in millimeters, the header's in ",
+  input.note("unit-converted", "lengths are in millimeters, the header's in ",
              unit == kMeter ? "meters" : "micrometers");
 }
 
@@ -209,7 +210,7 @@ bool is_scaled(const NiftiHeader& h) {
 Volume apply_scaling(const VolumeInput& input, const NiftiHeader& h, const Volume& volume) {
   if (!is_scaled(h)) return volume;
   if (!std::isfinite(h.slope)) {
-    input.note("scl_slope is not finite; the samples are taken as stored");
+    input.note("slope-not-finite", "scl_slope is not finite; the samples are taken as stored");
     return volume;
   }
   if (!std::isfinite(h.intercept)) fail(input.name(), "scl_inter is not finite");

@@ -135,9 +135,9 @@ void read_space(const VolumeInput& input, const NrrdHeader& header, SampleGrid& 
   else if (space == "lps" || space.starts_with("left-posterior-superior"))
     grid.space = AnatomicalSpace::lps;
   else if (space == "las" || space.starts_with("left-anterior-superior"))
-    input.note(
-        "coordinates are in the file's left-anterior-superior space, which viewers of "
-        "meshes do not expect");
+    input.warn("space-las",
+               "coordinates are in the file's left-anterior-superior space, which viewers of "
+               "meshes do not expect");
 }
 
 // Spacing, origin and directions of the three axes.
@@ -229,14 +229,15 @@ SampleGrid read_grid(const VolumeInput& input, const NrrdHeader& header) {
     header.fail_field("sizes", "not ", dimension, " numbers as 'dimension' says");
   const NrrdAxes axes = axes_of(input, header, *sizes);
   if ((*sizes)[0] <= 4 && sizes->size() == 3 && !header.has("kinds") && !header.has("space")) {
-    input.note("its sizes are ", header.get("sizes"),
+    input.note("may-be-color", "its sizes are ", header.get("sizes"),
                ", without kinds: taken as a volume, though it may be a picture in color");
   }
   const std::vector<NamedSegment> named = segments_of(header);
   const std::string segments =
       joined(named, ", ", [](const NamedSegment& segment) { return quote(segment.name); });
   set_axes(grid, axes.all, segments.empty() ? "" : "; --label NAME chooses one of " + segments);
-  if (!segments.empty()) input.note("names segments, which --label takes: ", segments);
+  if (!segments.empty())
+    input.note("segments-named", "names segments, which --label takes: ", segments);
   std::ranges::copy_if(named, std::back_inserter(input.log.segments), [&](const NamedSegment& s) {
     return input.options.channel.value_or(s.channel) == s.channel;
   });

@@ -174,7 +174,7 @@ Vec3 spacing_of(const VolumeInput& input, const TiffFile& tiff, const Descriptio
       if (units[axis].empty()) units[axis] = "\u00b5m";
     }
     const Vec3 spacing = in_unit_of_x(input, sizes, units, kNames);
-    input.note("the spacing is in ", quote(units[0]), ", as OME has it");
+    input.note("unit-of-file", "the spacing is in ", quote(units[0]), ", as OME has it");
     return spacing;
   }
   if (description.is_imagej()) {
@@ -190,13 +190,13 @@ Vec3 spacing_of(const VolumeInput& input, const TiffFile& tiff, const Descriptio
     std::array units{unit, description("yunit"), description("zunit")};  // if they are unlike x's
     for (std::string_view& own : units) own = own.empty() ? unit : own;
     spacing = in_unit_of_x(input, spacing, units, kNames);
-    input.note("the spacing is in ", quote(unit), ", as ImageJ has it");
+    input.note("unit-of-file", "the spacing is in ", quote(unit), ", as ImageJ has it");
     return spacing;
   }
   if (has_resolution && page.resolution_unit != 1) {
-    input.note(
-        "has a resolution, but not the distance of its pages: samples are taken to be 1 "
-        "apart; --spacing gives another distance");
+    input.warn("page-distance-unknown",
+               "has a resolution, but not the distance of its pages: samples are taken to be 1 "
+               "apart; --spacing gives another distance");
   }
   return {1, 1, 1};
 }
@@ -214,7 +214,7 @@ std::vector<DataAxis> axes_of(const VolumeInput& input, const Description& descr
   // Programs that write the slices of a volume without saying so: ImageJ takes them for channels.
   if (description.is_imagej() && description.count("slices") == 1 &&
       (counts.channels == planes || counts.times == planes)) {
-    input.note("its ", planes, counts.times == 1 ? " channels" : " times",
+    input.note("channels-as-slices", "its ", planes, counts.times == 1 ? " channels" : " times",
                " of one slice are taken as slices");
     counts = {};
   }
@@ -283,7 +283,8 @@ void set_spacing(SampleGrid& grid, const VolumeInput& input, const TiffFile& tif
                  const Description& description) {
   grid.set_spacing(spacing_of(input, tiff, description));
   if (tiff.pages()[0].photometric == 0) {
-    input.note("its small samples are shown bright (WhiteIsZero); they are kept as stored");
+    input.note("inverted-gray",
+               "its small samples are shown bright (WhiteIsZero); they are kept as stored");
   }
 }
 
@@ -383,8 +384,8 @@ Volume read_tiff_slices(const VolumeInput& input, std::vector<Bytes> files) {
     input.log.files.push_back(state_of(slice.bytes().name));
   }
   set_spacing(grid, first, slices[0], description);
-  input.note(files.size(), " slices, from '", file_name(0), "' to '", file_name(files.size() - 1),
-             "'");
+  input.note("slice-count", files.size(), " slices, from '", file_name(0), "' to '",
+             file_name(files.size() - 1), "'");
   return calibrated(first, description,
                     volume_from_slices(grid, [&](std::size_t k, std::span<std::byte> out) {
                       slices[k].read_page(slices[k].pages()[0], out);

@@ -37,6 +37,12 @@ void refuse_array(const std::string& name, const ReadOptions& options) {
     fail(name, "has no named arrays to take ", quote(*options.array), " of, as VTK files have");
 }
 
+// Throws if another channel or time than the first is chosen, where arrays have names.
+void refuse_volumes(const VolumeInput& input) {
+  if (input.options.channel.value_or(1) == 1 && input.options.time.value_or(1) == 1) return;
+  fail(input.name(), "has named arrays, and no channels or times: --array names one");
+}
+
 Volume read_recognized(const VolumeInput& input) {
   if (input.options.raw) {
     refuse_array(input.name(), input.options);
@@ -47,6 +53,7 @@ Volume read_recognized(const VolumeInput& input) {
   for (const Format& format : kFormats) {
     if (!format.is_of(input.bytes)) continue;
     if (!format.has_named_arrays) refuse_array(input.name(), input.options);
+    if (format.has_named_arrays) refuse_volumes(input);
     if (!format.has_several_volumes) choose_volume(input.name(), input.options, {});
     if (format.read != read_dicom) refuse_series(input.name(), input.options);
     if (format.has_place) note_place(input);
@@ -104,11 +111,11 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
 }
 
 void note_place(const VolumeInput& input) {
-  if (input.options.spacing) input.note("the spacing is that of --spacing, whatever the file says");
+  if (input.options.spacing) input.note("spacing-given", "the spacing is that of --spacing, whatever the file says");
   if (input.options.coordinates != Coordinates()) {
-    input.note("the coordinates are those of --coordinates, whatever the file says");
+    input.note("coordinates-given", "the coordinates are those of --coordinates, whatever the file says");
   }
-  if (input.options.origin) input.note("the origin is that of --origin, whatever the file says");
+  if (input.options.origin) input.note("origin-given", "the origin is that of --origin, whatever the file says");
 }
 
 std::vector<NamedSegment> read_segments(const std::string& path) {

@@ -7,7 +7,7 @@
 //   MetaImage       .mha; .mhd + one data file        raw, zlib or gzip (CompressedData), ascii
 //   NIfTI-1, -2     .nii, .nii.gz; .hdr + .img[.gz]   raw, gzip
 //   VTK legacy      .vtk, STRUCTURED_POINTS           BINARY, ASCII; one scalar array
-//   VTK XML         .vti, one piece                   appended (raw, base64), binary, ascii;
+//   VTK XML         .vti, .vtr, one piece             appended (raw, base64), binary, ascii;
 //                                                     plain or vtkZLibDataCompressor
 //   NumPy           .npy, an array [z][y][x]          raw, C or Fortran order
 //   DICOM           a folder of slices; one file of   raw (either VR, either byte order), deflated,
@@ -26,7 +26,8 @@
 //    .raw). A .nhdr or .mhd has its data beside it.
 // 3. Coordinates are those of the file, in its own unit and, unless the options turn them, its own
 //    anatomical space. Frame::space has the space: RAS+ for NIfTI, LPS+ for MetaImage and DICOM,
-//    the field "space" for NRRD. NIfTI's meters and micrometers become millimeters, which the unit
+//    the field "space" for NRRD. Samples are never resampled: slices at uneven distances, with one
+//    missing, or shifted by a tilted gantry, make a grid that has them where the file says. NIfTI's meters and micrometers become millimeters, which the unit
 //    is in these spaces.
 // 4. Refused with a message, never guessed:
 //    - 64-bit integers that float64 does not hold, if they are no labels; complex samples, several
@@ -35,7 +36,7 @@
 //    - axes near one plane. Others that are not at right angles are kept: the mesh is of the grid
 //      of samples, and its vertices are mapped to the world;
 //    - data of another size than in the header, more than one data file or piece;
-//    - DICOM slices that are missing; several series, if the options name none (SeveralSeries);
+//    - several series of DICOM, if the options name none (SeveralSeries);
 //    - TIFF slices of different sizes or types;
 //    - pictures in color, JPEG that loses detail, JPEG 2000 and other codecs of pictures;
 //    - bzip2, hex, lz4 and lzma encodings.
@@ -58,6 +59,7 @@
 #include <vector>
 
 #include "base/check.h"
+#include "base/diagnostics.h"
 #include "base/vec3.h"
 #include "io/files/expansion_budget.h"
 #include "io/files/input_file.h"
@@ -135,12 +137,13 @@ struct NamedSegment {
 
 // Facts about the reading, beside the volume.
 struct ReadLog {
-  std::vector<std::string> notes;      // for the user, one line each
+  Diagnostics notes;                   // and warnings, for the user
   std::vector<FileState> files;        // all that the volume is made of, header and data
   std::vector<NamedArray> arrays;      // of formats that name theirs (VTK)
   std::vector<NamedSegment> segments;  // of the channel that was read
   // If not empty, sample n stands for ids[n], in ascending order (io/volume/wide_integers.h).
   std::vector<std::int64_t> ids;
+  StoredType type_of_ids = StoredType::Wide::i64;  // in the file
 
   std::vector<std::string> paths() const {
     std::vector<std::string> paths;
@@ -149,17 +152,34 @@ struct ReadLog {
   }
 };
 
-// Thrown for a file of several channels or times, if the options choose none.
-struct SeveralVolumes : InputError {
-  using InputError::InputError;
+struct VolumeCounts {
+  std::int64_t channels = 1, times = 1;
 };
 
-// Thrown for a folder of several series, if the options name none of them. A line for each, which
-// --series counts from 1.
+// Thrown for a file of several channels or times, if the options choose none.
+struct SeveralVolumes : InputError {
+  SeveralVolumes(const VolumeCounts& several, const std::string& name, const std::string& message)
+      : InputError(name, ": ", message), counts(several), words(message) {}
+  VolumeCounts counts;
+  std::string words;  // without the file's name
+};
+
+// A series of a folder, or what of it may be one volume.
+struct FoundSeries {
+  std::string description{}, file{};  // of the series; its first file, within the folder
+  std::int64_t images = 0, columns = 0, rows = 0;
+  std::string doubt{};  // why the images may be no volume, as "no positions"; or empty
+};
+// Returns "'CT head', 30 images of 512 x 512 ('a/001')" or the like.
+std::string text_of(const FoundSeries& series);
+
+// Thrown for a folder of several series, if the options name none of them. --series counts them
+// from 1.
 struct SeveralSeries : InputError {
-  SeveralSeries(std::vector<std::string> lines, const auto&... message)
-      : InputError(message...), series(std::move(lines)) {}
-  std::vector<std::string> series;
+  SeveralSeries(std::vector<FoundSeries> found, const auto&... message)
+      : InputError(message...), series(std::move(found)) {}
+  std::vector<FoundSeries> series;
+  std::vector<std::string> paths{};  // of all files of the folder
 };
 
 // Returns the volume of `input`: a path of a file or of a folder of slices (DICOM, TIFF), "-"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // VTK's XML formats for images and rectilinear grids ("VTK File Formats", XML formats; ImageData or
 // RectilinearGrid with one piece). io/files/vtk_xml.h has the markup and the arrays.
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,8 +49,13 @@ class VtiParser {
   }
 
   void read_image(const XmlTag& tag) {
-    if (tag.attribute("Spacing")) {
-      const std::vector<double> s = numbers(tag, "Spacing", 3);
+    if (const auto words = tag.attribute("Spacing")) {
+      // Where the options give a spacing, the file's may be anything.
+      const auto own = to_doubles(*words);
+      const auto is_finite = [](double x) { return std::isfinite(x); };
+      const bool is_bad = !own || own->size() != 3 || !std::ranges::all_of(*own, is_finite);
+      const std::vector<double> s =
+          input_.options.spacing && is_bad ? std::vector<double>(3) : numbers(tag, "Spacing", 3);
       grid_.set_spacing({s[0], s[1], s[2]});
     }
     if (tag.attribute("Origin")) {

@@ -223,15 +223,13 @@ Bytes data_behind(const SampleGrid& grid, const Bytes& data, std::int64_t skip, 
 Grid grid_of_volume(const SampleGrid& grid) {
   const Grid whole = whole_grid(grid);
   if (const auto shear = shear_of(whole.frame()); shear && grid.log) {
-    grid.log->notes.push_back(
-        one_line(text(grid.name, ": sheared grid", *shear,
-                      ": its mesh has the right shape, but D, angles and "
-                      "filters are measured as if the axes were at right angles")));
+    add_note(grid.log->notes, "sheared-grid", grid.name, "sheared grid", *shear,
+             ": its mesh has the right shape, but D, angles and filters are measured as if the axes "
+             "were at right angles");
   }
   if (!has_directions(grid) && grid.log) {
-    grid.log->notes.push_back(one_line(
-        text(grid.name,
-             ": an axis of it has no direction: all are taken as x, y, z, in no known space")));
+    add_warning(grid.log->notes, "axis-without-direction", grid.name,
+                "an axis of it has no direction: all are taken as x, y, z, in no known space");
   }
   const Roi roi = region(grid, whole);
   const Index3 dims{roi.end.i - roi.begin.i, roi.end.j - roi.begin.j, roi.end.k - roi.begin.k};

@@ -25,8 +25,8 @@ Volume scaled_volume(const VolumeInput& input, const Volume& volume, double slop
   const bool small = size_of(volume.type()) <= 2 || volume.type() == SampleType::f32;
   Volume result =
       small ? scaled<float>(volume, slope, intercept) : scaled<double>(volume, slope, intercept);
-  input.note("samples are scaled as the header asks (", std::to_string(slope), " * sample + ",
-             std::to_string(intercept), ") and held as ", name_of(result.type()));
+  input.note("rescaled", "samples are scaled as the header asks (", std::to_string(slope),
+             " * sample + ", std::to_string(intercept), ") and held as ", name_of(result.type()));
   return result;
 }
 

@@ -36,8 +36,9 @@ VolumeChoice choose_volume(const std::string& name, const ReadOptions& options,
   }
   if (!several.empty()) {
     const bool is_one = axes[0].is_open() != axes[1].is_open();
-    throw SeveralVolumes(name, ": has ", several, ": ", switches, is_one ? " chooses" : " choose",
-                         " one, counted from 1", hint);
+    throw SeveralVolumes(counts, name,
+                         text("has ", several, ": ", switches, is_one ? " chooses" : " choose",
+                              " one, counted from 1", hint));
   }
   return {options.channel.value_or(1) - 1, options.time.value_or(1) - 1};
 }

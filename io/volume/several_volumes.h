@@ -11,10 +11,6 @@
 
 namespace deliso {
 
-struct VolumeCounts {
-  std::int64_t channels = 1, times = 1;
-};
-
 // The place of a volume, counted from 0.
 struct VolumeChoice {
   std::int64_t channel = 0, time = 0;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "io/files/input_file.h"
 #include "io/volume/read_volume.h"
 #include "io/volume/sample_grid.h"
@@ -23,8 +24,12 @@ struct VolumeInput {
   ReadLog& log;
 
   const std::string& name() const { return bytes.name; }
-  void note(const auto&... note) const {
-    log.notes.push_back(one_line(text(name(), ": ", note...)));
+  // Tell of the input. base/diagnostics.h has the codes.
+  Diagnostic& note(Code code, const auto&... words) const {
+    return add_note(log.notes, code, name(), words...);
+  }
+  Diagnostic& warn(Code code, const auto&... words) const {
+    return add_warning(log.notes, code, name(), words...);
   }
 };
 

@@ -74,8 +74,8 @@ SampleType convert(const SampleGrid& grid, const Words<T>& words) {
   }
   const auto note = [&](const auto&... words_of_note) {
     if (!grid.log) return;
-    grid.log->notes.push_back(
-        one_line(text(grid.name, ": 64-bit integers are read as ", words_of_note...)));
+    add_note(grid.log->notes, "wide-integers", grid.name, "64-bit integers are read as ",
+             words_of_note...);
   };
   if (all_exact) {
     for (std::size_t n = 0; n < words.size(); ++n) words.put(n, static_cast<double>(words[n]));
@@ -101,6 +101,7 @@ SampleType convert(const SampleGrid& grid, const Words<T>& words) {
   }
   note("labels: ", ids.size(), " from ", ids.front(), " to ", ids.back());
   grid.log->ids = ids;
+  grid.log->type_of_ids = grid.type;
   return SampleType::u32;
 }
 

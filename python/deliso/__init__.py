@@ -37,8 +37,8 @@ if TYPE_CHECKING:
 
     from ._options import CheckOptions, InfoOptions, MeshOptions, RenderOptions
 
-__all__ = ["Error", "Labels", "Mesh", "SharedLabels", "check", "info", "join", "mesh", "mesh_blocks", "part", "read"]
-__all__ += ["render", "version"]
+__all__ = ["Error", "Labels", "Mesh", "SharedLabels", "Warning", "check", "info", "join", "mesh", "mesh_blocks", "part"]
+__all__ += ["read", "render", "version"]
 
 # An array, or what the program reads: a file, a folder of slices, builtin:NAME.
 Source = Union[numpy.ndarray, str, os.PathLike]
@@ -48,6 +48,21 @@ Progress = Union[bool, Callable[[str, float], Any]]
 
 class Error(Exception):
     """Bad input, or a file that cannot be written: one line that says what is wrong."""
+
+
+class Warning(UserWarning):
+    """A warning of the library: the result may not be the one wanted.
+
+    code    names its kind: docs/guide/report.md has the list
+    file    that it is about, or an empty text
+    values  numbers of the words, by name
+
+    A report has the warnings too, beside the notes, as report["diagnostics"].
+    """
+
+    def __init__(self, words="", code="", file="", values=()):
+        super().__init__(f"{file}: {words}" if file else words)
+        self.code, self.file, self.values = code, file, dict(values)
 
 
 @contextlib.contextmanager
@@ -92,7 +107,6 @@ class _MeshData(ctypes.Structure):
         ("triangle_count", ctypes.c_size_t),
         ("normals", ctypes.c_void_p),
         ("report", ctypes.c_char_p),
-        ("warnings", ctypes.c_char_p),
         ("comment", ctypes.c_char_p),
         ("name", ctypes.c_char_p),
         ("space", ctypes.c_char_p),
@@ -118,6 +132,7 @@ def _load():
     for name, result, *arguments in [
         ("version", text),
         ("last_error", text),
+        ("notes", text),
         ("volume_create", int, pointer, int, pointer, int, pointer, pointer),
         ("volume_read", int, text, pointer, pointer),
         ("volume_free", None, pointer),
@@ -133,6 +148,7 @@ def _load():
         ("labels_save", int, pointer, pointer, ctypes.c_size_t, text),
         ("render", int, pointer, ctypes.c_size_t, pointer, text),
         ("info", int, pointer, ctypes.c_double, pointer, pointer, pointer),
+        ("info_file", int, text, ctypes.c_double, pointer, pointer, pointer),
         ("check", int, pointer, pointer, ctypes.c_double, pointer, pointer, pointer),
         ("text_free", None, pointer),
         ("part_create", int, pointer, ctypes.c_double, int, int) + (pointer,) * 4,
@@ -154,6 +170,17 @@ def _ok(status):
         return status
     message = _library.deliso_last_error().decode(errors="replace")
     raise Error(message) if status == _BAD_INPUT else RuntimeError(message)
+
+
+def _warn_of(notes):
+    """Warns of what a call of the library warned of, where the package was called."""
+    frame, level = sys._getframe(), 1
+    while frame.f_back and frame.f_globals.get("__package__") == __package__:
+        frame, level = frame.f_back, level + 1
+    for note in json.loads(notes)["diagnostics"]:
+        if note["severity"] == "warning":
+            words = {name: note[name] for name in ("words", "code", "file", "values")}
+            warnings.warn(Warning(**words), stacklevel=level)
 
 
 def _text_of(value):
@@ -220,15 +247,20 @@ class _Volume:
         """Takes the options about reading out of `options`."""
         self.handle = _VolumeHandle()
         if isinstance(source, (str, os.PathLike)):
-            if direction is not None:
-                raise Error("direction has no meaning for a file: it has its own")
+            _refuse_direction(direction)
             of_file = {name: options.pop(name) for name in _named.OF_FILES if name in options}
             if options.get("label") != "all":
                 of_file["label"] = options.get("label")  # a segment tells its channel
             words = _options({**of_file, "spacing": spacing, "origin": origin, "space": space})
             path, to = _path(source), ctypes.byref(self.handle)
             # Reading has no watch: after Ctrl-C it goes on, and what it has read is dropped.
-            _watched(lambda _: _ok(_library.deliso_volume_read(path, words, to)), False, joins=False)
+            # What it tells is told again by the call that the volume is for.
+            _watched(
+                lambda _: _ok(_library.deliso_volume_read(path, words, to)),
+                False,
+                joins=False,
+                warns=False,
+            )
             return
         array = _unmasked(source)
         kind = _kind_of(array.dtype)
@@ -248,6 +280,11 @@ class _Volume:
                 ctypes.byref(self.handle),
             )
         )
+
+
+def _refuse_direction(direction):
+    if direction is not None:
+        raise Error("direction has no meaning for a file: it has its own")
 
 
 def _unmasked(array):
@@ -314,9 +351,9 @@ def _bar(stage, share):
     sys.stderr.flush()
 
 
-def _watched(call, progress, joins=True):
+def _watched(call, progress, joins=True, warns=True):
     """Returns call(watch), run so that Ctrl-C and a progress function that raises stop it. Without
-    `joins` they leave it behind.
+    `joins` they leave it behind. Warns of what the call warned of.
 
     Python handles signals in the main thread between two of its instructions. So the main thread
     waits, and another one is in the library; the progress function runs in the waiting one.
@@ -332,9 +369,10 @@ def _watched(call, progress, joins=True):
     def work():
         try:
             watch = _Watch(ctypes.pointer(cancel), _PROGRESS(note if progress else 0), None)
-            result.append((call(ctypes.byref(watch)), None))
+            value = call(ctypes.byref(watch))
+            result.append((value, _library.deliso_notes(), None))
         except BaseException as error:
-            result.append((None, error))
+            result.append((None, None, error))
         finally:
             news.release()
 
@@ -351,9 +389,11 @@ def _watched(call, progress, joins=True):
         cancel.value = 1
         if joins and worker.ident is not None:
             worker.join()
-    value, error = result[0]
+    value, notes, error = result[0]
     if error:
         raise error
+    if warns:
+        _warn_of(notes)
     return value
 
 
@@ -406,7 +446,7 @@ class Mesh:
         return other
 
     def __reduce__(self):
-        others = ("report", "warnings", "comment", "name", "names", "space", "first_cap")
+        others = ("report", "comment", "name", "names", "space", "first_cap")
         others += ("single_precision", "color")
         remade = ("_handle", "_data", "vertices", "triangles", "normals")
         state = {name: value for name, value in vars(self).items() if name not in remade}
@@ -416,6 +456,7 @@ class Mesh:
         """Writes any of the program's formats, by the path's ending, whole or not at all: .ply,
         .off, .obj, .stl, .vtp, .glb, .3mf, .smesh, .poly."""
         _ok(_library.deliso_mesh_save(self._handle, _path(path)))
+        _warn_of(_library.deliso_notes())
 
     def to_meshio(self):
         """Returns a meshio.Mesh."""
@@ -561,7 +602,7 @@ def mesh(
         ),
         progress,
     )
-    return _warned(Mesh(handle, status == _OK))
+    return Mesh(handle, status == _OK)
 
 
 def _options_of_all(options):
@@ -574,7 +615,7 @@ def _shared_labels(volume, options, progress):
     status = _watched(
         lambda watch: _ok(_library.deliso_mesh_shared(volume.handle, words, watch, to)), progress
     )
-    return _warned(SharedLabels(handle, status == _OK), 3)
+    return SharedLabels(handle, status == _OK)
 
 
 def _meshes_of_labels(volume, options, progress):
@@ -585,20 +626,13 @@ def _meshes_of_labels(volume, options, progress):
         lambda watch: _ok(_library.deliso_mesh_labels(volume.handle, words, watch, take, None)),
         progress,
     )
-    return Labels((label, _warned(Mesh(mesh, status == _OK), 4)) for label, mesh, status in made)
+    return Labels((label, Mesh(mesh, status == _OK)) for label, mesh, status in made)
 
 
-def _warned(made, level=2):
-    """Warns the caller's caller of what the mesh's maker warned of."""
-    for line in made._data.warnings.decode().splitlines():
-        warnings.warn(line, stacklevel=level + 1)
-    return made
-
-
-def _json_of(call, progress):
+def _json_of(call, progress, joins=True):
     """Returns the JSON of call(watch, text)."""
     text = ctypes.c_void_p()
-    _watched(lambda watch: _ok(call(watch, ctypes.byref(text))), progress)
+    _watched(lambda watch: _ok(call(watch, ctypes.byref(text))), progress, joins)
     try:
         return json.loads(ctypes.string_at(text))
     finally:
@@ -643,7 +677,15 @@ def info(
     **options: Unpack[InfoOptions],
 ) -> Dict[str, Any]:
     """Tells what is in an array or a file, which isovalues to try ("suggestions"), and with an
-    isovalue the topology of its surface: what the program's info command writes with --json."""
+    isovalue the topology of its surface: what the program's info command writes with --json. Of a
+    file of several channels or times it tells of the first, unless an option chooses one. Of a
+    folder of several series it lists these ("series")."""
+    if isinstance(source, (str, os.PathLike)):
+        _refuse_direction(direction)
+        options = {**options, "spacing": spacing, "origin": origin, "space": space}
+        given = _path(source), _level(isovalue), _options(options)
+        call = _library.deliso_info_file
+        return _json_of(lambda watch, text: call(*given, watch, text), progress, joins=False)
     volume = _Volume(source, spacing, origin, direction, space, options)
     given = volume.handle, _level(isovalue), _options(options)
     return _json_of(lambda watch, text: _library.deliso_info(*given, watch, text), progress)

@@ -35,7 +35,6 @@ from . import (
     _require_three,
     _required,
     _unmasked,
-    _warned,
     _watched,
     _whole,
     _with_options,
@@ -189,7 +188,7 @@ def join(
     options   threads, float, check, allow_empty
     """
     place = spacing, origin, direction, space
-    return _warned(_joined(parts, array, place, progress, options))
+    return _joined(parts, array, place, progress, options)
 
 
 def _joined(parts, array, place, progress, options):
@@ -265,7 +264,7 @@ def mesh_blocks(
             for n in range(parts)
         ]
     joining = _between(_PARTS_SHARE, 1, show)
-    return _warned(_joined(made, array, tuple(place.values()), joining, of_join))
+    return _joined(made, array, tuple(place.values()), joining, of_join)
 
 
 def _between(begin, end, show):
@@ -300,11 +299,15 @@ def _made_by(client, make, array, isovalue, parts, show):
         more["pure"] = False
         if isinstance(array, numpy.ndarray):
             array = client.scatter(array, broadcast=True)
-    futures = [client.submit(make, array, isovalue, n + 1, parts, **more) for n in range(parts)]
+    with _required("client"):
+        submit = client.submit
+    futures = [submit(make, array, isovalue, n + 1, parts, **more) for n in range(parts)]
+    with _required("what the client's submit() gives"):
+        results = [future.result for future in futures]
     made = []
     try:
-        for future in futures:
-            made.append(future.result())
+        for result in results:
+            made.append(result())
             if show:
                 show("parts", _PARTS_SHARE * len(made) / parts)
         return made

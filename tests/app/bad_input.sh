@@ -154,6 +154,8 @@ refuses "$same reads" pair.nhdr --iso 0.5 -o link.raw --format ply
 refuses "$same reads" pair.nhdr --iso 0.5 --json whole.raw
 refuses "$same reads" info pair.nhdr --json pair.nhdr
 refuses "$same reads" check kept.ply builtin:torus --json kept.ply
+# shellcheck disable=SC2086
+refuses "$same writes" stripes.raw $raw --label all -o s%d.ply --shared s255.ply
 refuses "$same writes" builtin:torus -o out/a.ply --json out/../out/a.ply
 cmp -s whole.raw data.copy && cmp -s kept.ply mesh.copy || fault 'an input was replaced'
 

@@ -30,4 +30,15 @@ inline CommandLine parsed(std::string_view line) {
   return parse_words(split(line));
 }
 
+// The lines of a run's warnings, but for those of a code.
+inline std::vector<std::string> warnings_of(const Diagnostics& notes,
+                                            std::string_view but_for = {}) {
+  std::vector<std::string> lines;
+  for (const Diagnostic& item : notes) {
+    const bool is_meant = item.severity == Severity::warning && item.code.name() != but_for;
+    if (is_meant) lines.push_back(text_of(item));
+  }
+  return lines;
+}
+
 }  // namespace deliso::test

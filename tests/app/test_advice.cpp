@@ -49,8 +49,8 @@ std::vector<std::string> warnings(const ByteAt& at, const std::string& options,
     const Input input = read_input(line);
     MeshRun run(line, input);
     ProgressBar none(mesh_stages(line), false);
-    const TriMesh made =
-        mesh_input(run, none, [&](const std::string& warning) { lines.push_back(warning); });
+    const TriMesh made = mesh_input(run, none);
+    lines = warnings_of(run.notes);
     if (mesh) *mesh = made;
   } catch (const InputError& error) {
     lines.emplace_back(error.what());
@@ -94,6 +94,7 @@ TEST_CASE("floats that equal the isovalue are told of where triangles get thin b
       CHECK(lines == Lines{text("samples equal the isovalue, which makes thin triangles: --iso ",
                                 isovalue - 0.5, " gives better ones")});
     }
+    CHECK(warnings(bowl, text("--quiet --iso ", isovalue), nullptr, true) == lines);
     CHECK(warnings(bowl, text("--iso ", isovalue - 0.5), nullptr, true) == Lines{});
   }
   CHECK(told > 0);
@@ -103,6 +104,7 @@ TEST_CASE("floats that equal the isovalue are told of where triangles get thin b
 TEST_CASE("a label that the border cuts is told of, with the option that closes it") {
   CHECK(warnings(ball(1, 1.4), "--label 1") ==
         Lines{"the mesh of label 1 is open at the volume's border: --cap closes it"});
+  CHECK(warnings(ball(1, 1.4), "--label 1 -q").size() == 1);
   CHECK(warnings(ball(1, 1.4), "--label 1 --cap") == Lines{});
   CHECK(warnings(ball(1, 5.4), "--label 1") == Lines{});
   // All of the border: it is open there, and has no loop.
@@ -110,9 +112,12 @@ TEST_CASE("a label that the border cuts is told of, with the option that closes 
   CHECK(warnings(around, "--label 1") ==
         Lines{"the mesh of label 1 is open at the volume's border: --cap closes it"});
   CHECK(warnings(around, "--label 1 --cap") == Lines{});
-  CHECK(border_advice(std::vector<std::int64_t>{}).empty());
-  CHECK(border_advice(std::vector<std::int64_t>{2, 5}) ==
-        "the meshes of labels 2, 5 are open at the volume's border: --cap closes them");
+  Diagnostics notes;
+  advise_of_border(std::vector<std::int64_t>{}, notes);
+  CHECK(notes.empty());
+  advise_of_border(std::vector<std::int64_t>{2, 5}, notes);
+  CHECK(warnings_of(notes) ==
+        Lines{"the meshes of labels 2, 5 are open at the volume's border: --cap closes them"});
 }
 
 // It was refused with "no surface", where --shared gives the block.

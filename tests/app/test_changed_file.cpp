@@ -52,7 +52,7 @@ std::string refusal(const std::string& path, Act act) {
   MeshRun run(line, input);
   ActsInBetween progress(line, act);
   try {
-    mesh_input(run, progress, [](const std::string&) {});
+    mesh_input(run, progress);
   } catch (const InputError& error) {
     return error.what();
   }

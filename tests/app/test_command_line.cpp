@@ -742,6 +742,30 @@ TEST_CASE("a value of the wrong kind is refused, in one line that names the opti
         "--labels wants printable characters of ASCII, not 'a?b'");
 }
 
+// Found by runs with two options: one has an effect alone, none beside the other.
+TEST_CASE("an option without an effect beside others is told of") {
+  const std::pair<const char*, const char*> ignored[] = {
+      {"v.nrrd --iso 1 --restricted 0.5", "--restricted has no effect without --check"},
+      {"v.nrrd --iso 1 --stop-after stage1 --max-radius 1",
+       "--max-radius has no effect with --stop-after stage1"},
+      {"v.nrrd --label all --shared s.ply --format off",
+       "--format has no effect on the file of --shared, whose name tells its format"},
+      {"render m.ply -o p.png --color white --color-by angle",
+       "--color has no effect with --color-by of another kind than side"},
+      {"render m.ply -o p.png --occlusion on --opacity 0.5",
+       "--occlusion has no effect with --opacity"}};
+  for (const auto& [line, words] : ignored) {
+    CHECK(warnings_of(parsed(line).notes) == std::vector<std::string>{words});
+  }
+  for (const char* line :
+       {"v.nrrd --iso 1 --restricted 0.5 --check", "v.nrrd --iso 1 --max-radius 1",
+        "v.nrrd --label all -o p%d.ply --shared s.ply --format off",
+        "render m.ply -o p.png --color white", "render m.ply -o p.png --opacity 0.5"}) {
+    CAPTURE(line);
+    CHECK(parsed(line).notes.empty());
+  }
+}
+
 TEST_CASE("any arguments give a command line or an InputError of one line") {
   std::vector<std::string> words = split(
       "mesh info render a.png a.nrrd builtin:torus - -- -o -k 1 0.5vox 2x2x2 m.ply '' = --= -= "

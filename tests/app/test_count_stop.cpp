@@ -29,7 +29,8 @@ CountRun outcome_of(const std::string& arguments) {
   MeshRun run(line, input);
   ProgressBar progress(mesh_stages(line), false);
   CountRun out;
-  mesh_input(run, progress, [&](const std::string& warning) { out.warnings.push_back(warning); });
+  mesh_input(run, progress);
+  out.warnings = test::warnings_of(run.notes);
   out.stop = count_stop(run);
   out.vertices = line.options.cap ? run.report.cap.surface_vertices : run.vertices;
   out.triangles = line.options.cap ? run.report.cap.surface_triangles : run.triangles;

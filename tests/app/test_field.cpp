@@ -311,6 +311,6 @@ TEST_CASE("with --nan a volume has the mesh of the volume with these values, als
       parsed("join " + one + " " + two + " --volume=" + gaps + out + " --quiet");
   CHECK(run_join(join) == kExitSuccess);
   CHECK(file_bytes(ply) == wanted);
-  CHECK(read_input(line_of_mesh(gaps + " --nan=-3")).log.notes.back() ==
+  CHECK(read_input(line_of_mesh(gaps + " --nan=-3")).log.notes.back().words ==
         "1,152 samples are NaN, and taken as -3");
 }

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <string>
 
+#include "app/json_schema.h"
+#include "app/option_texts.h"
 #include "app/parsed_line.h"
 #include "app/run.h"
 #include "base/text.h"
@@ -62,8 +64,20 @@ TEST_CASE("info lists the series of a folder, each in a line") {
       list.ends_with("\n 10  'Scan 11', 3 images of 4 x 3 ('11-0')\n"
                      " 11  'Scan 3', 1 image of 4 x 3 ('3-0')\n"));
   CHECK(info_of(folder, disk + " --series 10").find("4 x 3 x 3 uint8") != std::string::npos);
-  // A program that reads a report has asked for one volume.
-  CHECK(info_of(folder, disk + " --json " + (folder / "r.json")) == "exit 2\n");
+  const std::string file = folder / "r.json";
+  CHECK(info_of(folder, disk + " -q --json " + file) == "exit 0\n");
+  const JsonValue report = parse_json(file_bytes(file), file);
+  CHECK(Validator(parse_json(report_schema(), "schema")).fault(report) == "");
+  REQUIRE(report["series"].items.size() == 11);
+  const JsonValue& last = report["series"].items.back();
+  CHECK(last["description"].string == "Scan 3");
+  CHECK(last["images"].number == 1);
+  CHECK(report["diagnostics"].items.at(0)["values"]["series"].number == 11);
+  const std::string slice = disk + "/1-0", bytes = file_bytes(slice);
+  CHECK(info_of(folder, disk + " --json " + slice) == "exit 2\n");
+  CHECK(file_bytes(slice) == bytes);
+  // A picture is of one volume.
+  CHECK(info_of(folder, disk + " -o " + (folder / "r.png")) == "exit 2\n");
   CHECK(info_of(folder, disk + " --series 12") == "exit 2\n");
 }
 
@@ -80,5 +94,10 @@ TEST_CASE("info shows the first volume of several, and says so") {
   CHECK(found.find("has 3 times: --time N chooses one, counted from 1; this is the first\n") !=
         std::string::npos);
   CHECK(info_of(folder, file + " --time 2").find("this is the first") == std::string::npos);
-  CHECK(info_of(folder, file + " --json " + (folder / "r.json")) == "exit 2\n");
+  const std::string report = folder / "r.json";
+  CHECK(info_of(folder, file + " -q --json " + report) == "exit 0\n");
+  const JsonValue told = parse_json(file_bytes(report), report)["diagnostics"].items.at(0);
+  CHECK(told["code"].string == "first-of-several");
+  CHECK(told["file"].string == file);
+  CHECK(told["values"]["times"].number == 3);
 }

@@ -21,6 +21,7 @@
 #include "app/text.h"
 #include "check/faults.h"
 #include "io/files/temporary_folder.h"
+#include "io/volume/volume_files.h"
 #include "run/report.h"
 
 using namespace deliso;
@@ -68,6 +69,12 @@ std::vector<JsonValue> all_reports() {
       folder.write("labels.raw", {0, 0, 0, 0, 0, 1, 1, 0, 0, 2, 2, 0, 0, 0, 0, 0,
                                   0, 3, 3, 0, 0, 1, 1, 0, 0, 2, 2, 2, 0, 0, 0, 0}) +
       " --dims 4x4x2 --type uint8";
+  for (const char* number : {"1", "2"}) {
+    DicomElements elements = dicom_image(random_truth(SampleType::u8, {4, 3, 5}, 3), {}, 0, 5);
+    elements[0x0020000e] = {"UI", number};
+    std::filesystem::create_directories(folder / "series");
+    folder.write(text("series/", number), dicom_file({}, elements));
+  }
   std::vector<JsonValue> all;
   for (const std::string& line :
        {field + " --check -o " + mesh, field + " --cap --check", field + " --vertices 300",
@@ -79,7 +86,8 @@ std::vector<JsonValue> all_reports() {
         "info " + mask, mask + " --label 120,121,200 --smooth 2",
         mask + " --label 0 --median 1 --allow-empty", "info " + field + " --median 1 --smooth 1vox",
         "info " + named + " --array density",
-        labels + " --label all --cap --vertices 300 --shared " + mesh}) {
+        labels + " --label all --cap --vertices 300 --shared " + mesh,
+        "info " + (folder / "series")}) {
     all.push_back(written(folder, line));
   }
   return all;
@@ -99,7 +107,7 @@ std::vector<std::string> lines_of_run(const std::string& arguments,
   const Input input = read_input(line);
   MeshRun run(line, input);
   ProgressBar progress(mesh_stages(line), false);
-  mesh_input(run, progress, [](const std::string&) {});
+  mesh_input(run, progress);
   for (const auto& [counter, value] : counters) {
     run.report[counter] = static_cast<std::uint64_t>(value);
   }
@@ -252,7 +260,7 @@ TEST_CASE("the verdict tells how many triangles cross, as the check finds them")
     MeshRun run(line, input), with_check(checked, input);
     for (MeshRun* each : {&run, &with_check}) {
       ProgressBar progress(mesh_stages(each->line), false);
-      mesh_input(*each, progress, [](const std::string&) {});
+      mesh_input(*each, progress);
       CHECK(each->report[Counter::voxels_crossed] == 1);
     }
     const std::size_t found = with_check.verification->faults.count(FaultKind::self_intersections);
@@ -308,6 +316,7 @@ TEST_CASE("every word of the reports is explained in the guide, once") {
   for (std::size_t n = 0; n < kOperations; ++n) check_row(name_of(static_cast<Operation>(n)));
   for (std::size_t n = 0; n < kRefusals; ++n) check_row(name_of(static_cast<Refusal>(n)));
   for (std::size_t n = 0; n < kFaultKinds; ++n) check_row(name_of(static_cast<FaultKind>(n)));
+  for (const std::string_view code : kCodes) check_row(code);
   for (const std::string_view word :
        {"us/point",  "searches/p", "CPI",           "CPI*",     "r",        "l",       "h",
         "D",         "r_min",      "r/l",           "h/r",      "coarsen",  "done",    "counters",

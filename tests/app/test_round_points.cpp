@@ -105,9 +105,9 @@ TEST_CASE("a mesh too far from the origin for single precision is told of") {
     const CommandLine line = parsed("builtin:fuel:16 " + c.options);
     const Input input = input_of(read_source(line), line);
     MeshRun run(line, input);
-    std::vector<std::string> warnings;
     ProgressBar progress(mesh_stages(line), false);
-    mesh_input(run, progress, [&](const std::string& w) { warnings.push_back(w); });
+    mesh_input(run, progress);
+    const std::vector<std::string> warnings = warnings_of(run.notes);
     CHECK((warnings.size() == 1) == c.is_told);
     if (!c.is_told || warnings.empty()) continue;
     CHECK(warnings[0].find("--origin 0,0,0") != std::string::npos);

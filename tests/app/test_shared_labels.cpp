@@ -195,17 +195,16 @@ struct Halves {
   }
   // Meshes the labels. Returns the warnings. The progress knows all stages.
   std::vector<std::string> warnings(SharedRun& run) const {
-    std::vector<std::string> all;
     const std::vector<StageCost> known = mesh_stages(run.line);
     ToldStages stages(known);
-    make_shared_mesh(run, stages, [&](const std::string& w) { all.push_back(w); });
+    make_shared_mesh(run, stages);
     CHECK(!stages.told.empty());
     for (const std::string& stage : stages.told) {
       const bool is_known = std::ranges::any_of(
           known, [&](const StageCost& s) { return s.stage == stage || s.together == stage; });
       CHECK_MESSAGE(is_known, stage);
     }
-    return all;
+    return warnings_of(run.notes);
   }
   std::string refusal(const std::string& more) const {
     try {
@@ -248,10 +247,9 @@ TEST_CASE("a label that vanishes is told of, with the samples that it had") {
     for (const CommandLine& one : lines_of_labels(all, source)) {
       const Input input = input_of(source, one);
       MeshRun alone(one, input);
-      alone.is_one_of_all = true;  // so that it does not tell of the border
       ProgressBar none(mesh_stages(one), false);
-      std::vector<std::string> others;
-      mesh_input(alone, none, [&](const std::string& w) { others.push_back(w); });
+      mesh_input(alone, none);
+      const std::vector<std::string> others = warnings_of(alone.notes, "open-at-border");
       CHECK(others == (one.field.labels[0] == 3 ? std::vector{told} : std::vector<std::string>()));
     }
   }

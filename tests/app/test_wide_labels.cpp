@@ -86,6 +86,7 @@ TEST_CASE("ids of 64 bits are meshed as the small labels in their place, and nam
   mesh(wide, all, "o.ply");
   const std::string json = file_bytes(folder.path("o.json"));
   CHECK(json.find("\"range\": [0, 720575940621039146]") != json.npos);
+  CHECK(json.find("\"type\": \"int64\"") != json.npos);
   CHECK(json.find("\"front\": 720575940621039146") != json.npos);
   const std::string cap = "--cap " + all;
   const std::string smesh = mesh(wide, cap, "o.smesh");

@@ -17,6 +17,7 @@
 #include "app/run.h"
 #include "base/random.h"
 #include "c/deliso.h"
+#include "io/files/json_value.h"
 #include "io/volume/builtin_volume.h"
 #include "io/volume/volume_files.h"
 
@@ -149,7 +150,6 @@ TEST_CASE("arrays: a ball in the world, with normals that point outwards") {
     }
     CHECK(volume_inside == doctest::Approx(4.18879 * 7.5 * 7.5 * 7.5 * 1.25).epsilon(0.05));
     CHECK(std::strstr(deliso_mesh_report(mesh.get), "\"topology_exact\": true"));
-    CHECK(std::string(deliso_mesh_warnings(mesh.get)).empty());
   }
 }
 
@@ -344,15 +344,13 @@ TEST_CASE("a mesh made of another's data is the same") {
     CHECK(data.vertices == deliso_mesh_vertices(mesh.get, nullptr));
     CHECK(data.triangles == deliso_mesh_triangles(mesh.get, nullptr));
     REQUIRE(deliso_mesh_from_data(&data, &copy.get) == DELISO_OK);
-    const std::string expected = saved(mesh.get), report = deliso_mesh_report(mesh.get),
-                      warnings = deliso_mesh_warnings(mesh.get);
+    const std::string expected = saved(mesh.get), report = deliso_mesh_report(mesh.get);
     std::size_t count = 0;
     const double* const normals = deliso_mesh_normals(mesh.get, &count);
     const std::vector<double> expected_normals(normals, normals + 3 * count);
     deliso_mesh_free(std::exchange(mesh.get, nullptr));
     CHECK(saved(copy.get) == expected);
     CHECK(deliso_mesh_report(copy.get) == report);
-    CHECK(deliso_mesh_warnings(copy.get) == warnings);
     REQUIRE(deliso_mesh_get_data(copy.get, &data) == DELISO_OK);
     CHECK(std::equal(expected_normals.begin(), expected_normals.end(), data.normals,
                      data.normals + 3 * data.vertex_count));
@@ -374,7 +372,7 @@ TEST_CASE("data that is no mesh is refused, and one without normals has none") {
   deliso_mesh_data got;
   REQUIRE(deliso_mesh_get_data(mesh.get, &got) == DELISO_OK);
   CHECK(got.normals == nullptr);
-  CHECK(std::string(got.report) + got.warnings + got.comment == "");
+  CHECK(std::string(got.report) + got.comment == "");
   CHECK(got.first_cap == SIZE_MAX);
 
   const auto refusal_of = [&](auto spoil) {
@@ -411,7 +409,6 @@ TEST_CASE("null is a mesh without vertices, triangles and texts") {
   CHECK(count == 0);
   CHECK(deliso_mesh_vertices(nullptr, nullptr) == nullptr);
   CHECK(std::string(deliso_mesh_report(nullptr)).empty());
-  CHECK(std::string(deliso_mesh_warnings(nullptr)).empty());
   CHECK(deliso_mesh_save(nullptr, "mesh.ply") == DELISO_BAD_INPUT);
   deliso_mesh_free(nullptr);
   deliso_volume_free(nullptr);
@@ -480,6 +477,56 @@ TEST_CASE("progress goes from stage to stage, and a flag stops the work at each"
   }
   MeshHandle again;  // the flag of one call stops no other
   CHECK(mesh_ball(volume, again) == DELISO_OK);
+}
+
+// Readers' notes, the mesher's advice and what rounding does were lost.
+TEST_CASE("what a call tells is JSON: of reading, meshing and saving") {
+  const test::TemporaryFolder folder;
+  const auto has = [](const char* json, const std::string& code, const std::string& severity) {
+    const JsonValue parsed = parse_json(json, "notes");
+    return std::ranges::any_of(parsed["diagnostics"].items, [&](const JsonValue& item) {
+      return item["code"].string == code && item["severity"].string == severity;
+    });
+  };
+  const char* const far[] = {"origin=1e7,0,0", "spacing=1,1,1", nullptr};
+  std::string samples(sizeof(float) * 16 * 16 * 16, '\0');
+  for (std::size_t n = 0; n < 16 * 16 * 16; ++n) {
+    const std::size_t x = n % 16, y = n / 16 % 16, z = n / 256;
+    const auto value =
+        static_cast<float>((x - 8) * (x - 8) + (y - 8) * (y - 8) + (z - 8) * (z - 8));
+    std::memcpy(&samples[n * sizeof value], &value, sizeof value);
+  }
+  const std::string file =
+      folder.write("v.nrrd",
+                   "NRRD0004\ntype: float\ndimension: 3\nsizes: 16 16 16\nencoding: raw\n"
+                   "endian: little\n\n" +
+                       samples);
+  deliso_volume* volume = nullptr;
+  REQUIRE(deliso_volume_read(file.c_str(), far, &volume) == DELISO_OK);
+  CHECK(has(deliso_notes(), "origin-given", "note"));
+  MeshHandle mesh;
+  REQUIRE(deliso_mesh_create(volume, 20.5, nullptr, nullptr, &mesh.get) == DELISO_OK);
+  CHECK(has(deliso_notes(), "spacing-given", "note"));
+  CHECK(has(deliso_mesh_report(mesh.get), "spacing-given", "note"));
+  REQUIRE(deliso_mesh_save(mesh.get, folder.path("m.stl").c_str()) == DELISO_OK);
+  CHECK(has(deliso_notes(), "rounded-to-float", "warning"));
+  REQUIRE(deliso_mesh_save(mesh.get, folder.path("m.ply").c_str()) == DELISO_OK);
+  CHECK(!has(deliso_notes(), "rounded-to-float", "warning"));
+  char* json = nullptr;
+  const char* const eight[] = {"vertices=8", nullptr};
+  REQUIRE(deliso_info_file(file.c_str(), 20.5, far, nullptr, &json) == DELISO_OK);
+  CHECK(has(json, "origin-given", "note"));
+  deliso_text_free(json);
+  CHECK(has(deliso_notes(), "origin-given", "note"));
+  MeshHandle other;
+  REQUIRE(deliso_mesh_create(volume, 20.5, eight, nullptr, &other.get) != DELISO_BAD_INPUT);
+  CHECK(deliso_mesh_create(volume, 1e9, nullptr, nullptr, &other.get) == DELISO_BAD_INPUT);
+  CHECK(parse_json(deliso_notes(), "notes")["diagnostics"].items.empty());
+  const char* const all[] = {"label=all", nullptr};
+  CHECK(deliso_mesh_shared(volume, all, nullptr, &other.get) == DELISO_BAD_INPUT);
+  CHECK(std::string(deliso_last_error()) ==
+        "'label=all': all labels are meshed, and no option chooses them");
+  deliso_volume_free(volume);
 }
 
 TEST_CASE("files: a volume and a mesh are read, labels saved together, and null is refused") {

@@ -68,7 +68,7 @@ void join(const std::string& first, const std::string& second) {
   const Input input = input_of_join(line, field);
   MeshRun run(line, input);
   ProgressBar none(mesh_stages(line), false);
-  join_parts_of(std::move(parts), run, none, [](const std::string&) {});
+  join_parts_of(std::move(parts), run, none);
   report_json(run);
 }
 

@@ -18,6 +18,7 @@ import sys
 import threading
 import time
 import unittest
+import warnings
 
 import numpy
 
@@ -243,8 +244,20 @@ class TestMesh(TestCase):
             with self.assertRaises(deliso.Error) as caught:
                 call()
             self.assertNotIn("\n", str(caught.exception))
-        with self.assertWarns(UserWarning):
-            deliso.mesh(noise(16), 0.5, vertices=8)
+        with self.assertWarns(deliso.Warning) as caught:
+            m = deliso.mesh(noise(16), 0.5, vertices=8)
+        self.assertEqual(caught.filename, __file__)
+        self.assertEqual(caught.warning.code, "count-missed")
+        self.assertEqual(caught.warning.values["asked"], 8)
+        (told,) = m.report["diagnostics"]
+        self.assertEqual((told["severity"], told["words"]), ("warning", str(caught.warning)))
+        far = deliso.mesh(field(), 10.25, origin=(1e8, 0, 0))
+        with self.assertWarns(deliso.Warning) as caught:
+            far.save(self.path("far.stl"))
+        self.assertEqual(caught.warning.code, "rounded-to-float")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            far.save(self.path("far.ply"))
 
     def test_samples_without_a_value(self):
         array = field()
@@ -387,7 +400,7 @@ class TestMesh(TestCase):
             with self.assertRaises(deliso.Error):
                 deliso.mesh(labels, shared=True, **options)
         labels[1, 1, 1] = 9
-        with self.assertWarnsRegex(UserWarning, "label 9 vanished"):
+        with self.assertWarnsRegex(deliso.Warning, "label 9 vanished"):
             shared = deliso.mesh(labels, label="all", shared=True, median=1)
         self.assertEqual(len(shared[9].triangles), 0)
 
@@ -402,6 +415,13 @@ class TestMesh(TestCase):
         self.assertEqual(ours["suggestions"], theirs["suggestions"])
         self.assertEqual(deliso.info(self.path("v.npy"))["suggestions"], ours["suggestions"])
         self.assertNotIn("surface", deliso.info(field()))
+        # Of several channels it tells of the first, and how many there are.
+        with open(self.path("c.nrrd"), "wb") as file:
+            file.write(b"NRRD0004\ntype: uint8\ndimension: 4\nsizes: 2 4 4 4\nencoding: raw\n")
+            file.write(b"kinds: vector domain domain domain\n\n" + bytes(range(128)))
+        (told,) = deliso.info(self.path("c.nrrd"))["diagnostics"]
+        self.assertEqual((told["code"], told["values"]["channels"]), ("first-of-several", 2))
+        self.assertEqual(deliso.info(self.path("c.nrrd"), channel=2)["diagnostics"], [])
 
     def test_meshes_are_read(self):
         m = deliso.mesh(field(), 10.25)

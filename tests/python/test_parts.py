@@ -280,6 +280,15 @@ class TestPools(TestCase):
         self.assertEqual(len(sizes), 8)  # four for each worker
         self.assertLess(max(sizes), 2000)
 
+    def test_what_is_no_client_is_refused(self):
+        class Gives:
+            def submit(self, *call):
+                return None
+
+        for client in (5, Gives()):
+            with self.assertRaisesRegex(deliso.Error, "client"):
+                deliso.mesh_blocks(field(), LEVEL, client=client, **BLOCKS)
+
     def test_a_killed_worker_breaks_an_executor(self):
         array = Kills(field(), self.folder.name)
         with concurrent.futures.ProcessPoolExecutor(2) as pool:

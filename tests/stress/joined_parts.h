@@ -48,9 +48,8 @@ struct Joined {
 
 // Joins the parts, in any order, of the volume in a file. `report`: the options of the join. Throws
 // InputError.
-template <class Warn>
 std::unique_ptr<Joined> join_parts(const std::vector<std::string>& bytes, const std::string& volume,
-                                   const std::vector<std::string>& report, const Warn& warn) {
+                                   const std::vector<std::string>& report) {
   std::vector<PartFile> parts;
   for (const std::string& part : bytes) {
     parts.push_back(part_in(std::as_bytes(std::span(part)), text("part", parts.size())));
@@ -66,7 +65,7 @@ std::unique_ptr<Joined> join_parts(const std::vector<std::string>& bytes, const 
   require_field(parts, field, line.options, volume);
   auto joined = std::make_unique<Joined>(line, input_of_join(line, field));
   ProgressBar none(mesh_stages(line), false);
-  joined->mesh = join_parts_of(std::move(parts), joined->run, none, warn);
+  joined->mesh = join_parts_of(std::move(parts), joined->run, none);
   return joined;
 }
 

@@ -99,7 +99,8 @@ void mesh_shared(const CommandLine& line, Outcome& outcome) {
   SharedRun run(line, source, lines_of_labels(line, source));
   ProgressBar none(mesh_stages(line), false);
   const std::clock_t start = std::clock();
-  make_shared_mesh(run, none, [&](const std::string& w) { outcome.warnings.push_back(w); });
+  make_shared_mesh(run, none);
+  outcome.warnings = test::warnings_of(run.notes);
   make_reports(run);
   outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   outcome.mesh = united_mesh(run);
@@ -141,9 +142,9 @@ void judge_run(const MeshRun& run, Outcome& outcome) {
 }
 
 // Judges the run of the command. With -q it has measured less than the judge needs.
-void judge_command(const MeshRun& run, const std::function<void(const std::string&)>& warn,
-                   Outcome& outcome) {
+void judge_command(const MeshRun& run, Outcome& outcome) {
   make_reports(run);
+  outcome.warnings = test::warnings_of(run.notes);
   if (!run.line.quiet) return judge_run(run, outcome);
   CommandLine line = run.line;
   line.quiet = false;
@@ -151,14 +152,13 @@ void judge_command(const MeshRun& run, const std::function<void(const std::strin
   measured.report = run.report;
   measured.published = run.published;
   ProgressBar none(mesh_stages(line), false);
-  examine_mesh(measured, outcome.mesh, none, warn);
+  examine_mesh(measured, outcome.mesh, none);
   judge_run(measured, outcome);
 }
 
 Outcome mesh_once(Words words) {
   Outcome outcome;
   const std::clock_t start = std::clock();
-  const auto warn = [&](const std::string& w) { outcome.warnings.push_back(w); };
   const auto take_seconds = [&] {
     outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   };
@@ -170,17 +170,17 @@ Outcome mesh_once(Words words) {
     if (!line.shared.empty()) {
       mesh_shared(line, outcome);
     } else if (in_parts) {
-      const auto joined = join_parts(make_parts(line), line.input, of_join, warn);
+      const auto joined = join_parts(make_parts(line), line.input, of_join);
       take_seconds();
       outcome.mesh = joined->mesh;
-      judge_command(joined->run, warn, outcome);
+      judge_command(joined->run, outcome);
     } else {
       const Input input = read_input(line);
       MeshRun run(line, input);
       ProgressBar none(mesh_stages(line), false);
-      outcome.mesh = mesh_input(run, none, warn);
+      outcome.mesh = mesh_input(run, none);
       take_seconds();
-      judge_command(run, warn, outcome);
+      judge_command(run, outcome);
     }
   } catch (const InputError& error) {
     outcome.refusal = error.what();

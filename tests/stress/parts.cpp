@@ -103,8 +103,6 @@ struct Made {
   }
 };
 
-void no_warning(const std::string&) {}
-
 Made made_by_one(const Words& words) {
   Made made;
   try {
@@ -112,7 +110,7 @@ Made made_by_one(const Words& words) {
     const Input input = read_input(line);
     MeshRun run(line, input);
     ProgressBar none(mesh_stages(line), false);
-    const TriMesh mesh = mesh_input(run, none, no_warning);
+    const TriMesh mesh = mesh_input(run, none);
     made.take(run, mesh);
   } catch (const InputError& error) {
     made.refusal = error.what();
@@ -129,7 +127,7 @@ Made made_by_join(const CommandLine& of_part, const Words& of_join, std::uint64_
     for (std::size_t n = bytes.size(); n > 1; --n) {
       std::swap(bytes[n - 1], bytes[random.below(static_cast<std::uint32_t>(n))]);
     }
-    const auto joined = join_parts(bytes, of_part.input, of_join, no_warning);
+    const auto joined = join_parts(bytes, of_part.input, of_join);
     made.take(joined->run, joined->mesh);
   } catch (const InputError& error) {
     made.refusal = error.what();

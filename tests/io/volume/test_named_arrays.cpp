@@ -83,13 +83,32 @@ TEST_CASE("the named array is read, at any place in the file") {
   CHECK(pressure.log.notes.empty());
 }
 
+// --spacing was no remedy.
+TEST_CASE("a VTI whose spacing is none is read by a spacing that is given") {
+  const TemporaryFolder folder;
+  for (const char* spacing : {"1 1", "inf 1 1", "x", "0 0 0"}) {
+    CAPTURE(spacing);
+    std::string file = vti_of_three();
+    const std::size_t at = file.find("<ImageData") + 10;
+    file.insert(at, std::string(" Spacing=\"") + spacing + "\"");
+    const std::string path = folder.write("v.vti", file);
+    CHECK_THROWS_AS(read_volume(path), InputError);
+    ReadOptions options;
+    options.spacing = Vec3{2, 3, 4};
+    const Volume volume = read_volume(path, options);
+    CHECK(volume.spacing() == Vec3{2, 3, 4});
+    CHECK(volume.frame().origin == Vec3{0, 0, 0});
+  }
+}
+
 TEST_CASE("without a name the first array that can be meshed is read and logged") {
   const TemporaryFolder folder;
   for (const bool binary : {false, true}) {
     const Outcome first = read(folder, "v.vtk", vtk_of_many(binary), std::nullopt);
     CHECK(first.first == 10);
     REQUIRE(first.log.notes.size() == 1);
-    CHECK(first.log.notes[0].ends_with("array 'density' is read, one of 8; --array names another"));
+    CHECK(first.log.notes[0].words.ends_with(
+        "array 'density' is read, one of 8; --array names another"));
     std::string names;
     for (const NamedArray& array : first.log.arrays)
       names += array.name + " " + array.type + " " + to_text(array.components) +
@@ -102,7 +121,8 @@ TEST_CASE("without a name the first array that can be meshed is read and logged"
   CHECK(first.first == 100);
   CHECK(first.log.arrays.size() == 3);
   REQUIRE(first.log.notes.size() == 1);
-  CHECK(first.log.notes[0].ends_with("array 'density' is read, one of 3; --array names another"));
+  CHECK(first.log.notes[0].words.ends_with(
+      "array 'density' is read, one of 3; --array names another"));
 }
 
 TEST_CASE("unknown names, arrays that cannot be meshed and formats without names are refused") {

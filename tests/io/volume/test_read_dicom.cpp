@@ -142,7 +142,7 @@ TEST_CASE("slope and intercept are applied, also if every slice has its own") {
               (is_wide ? value : static_cast<double>(static_cast<float>(value))));
       }
       REQUIRE(log.notes.size() == 1);
-      CHECK((log.notes[0].find("slice by slice") != std::string::npos) == own);
+      CHECK((log.notes[0].words.find("slice by slice") != std::string::npos) == own);
     }
   }
 }
@@ -158,7 +158,7 @@ TEST_CASE("files of the folder that are no images are passed over, and told") {
   ReadLog log;
   CHECK(bytes_of_samples(read_volume(series, {}, &log)) == truth.bytes);
   REQUIRE(log.notes.size() == 1);
-  CHECK(log.notes[0].ends_with("passed over '.note' and 2 more: no DICOM images"));
+  CHECK(log.notes[0].words.ends_with("passed over '.note' and 2 more: no DICOM images"));
   CHECK(log.files.size() == kSlices);
   for (const char* name : kNames) std::filesystem::remove(series + "/" + name);
   CHECK(read_message(series).find("is a folder without slices") != std::string::npos);
@@ -235,8 +235,8 @@ TEST_CASE("each fault of a series has its message, with the file") {
       continue;
     }
     REQUIRE(log.notes.size() == 3);
-    CHECK(log.notes[0].find("'e.dcm'") != std::string::npos);
-    CHECK(log.notes[1].find("slices seem to be missing") != std::string::npos);
+    CHECK(text_of(log.notes[0]).find("'e.dcm'") != std::string::npos);
+    CHECK(log.notes[1].words.find("slices seem to be missing") != std::string::npos);
   }
 }
 
@@ -356,13 +356,13 @@ TEST_CASE("nuclear medicine has the place of its frames in the detector's sequen
     CHECK(unknown.frame().origin == Vec3{0, 0, 0});
     CHECK(unknown.frame().space == AnatomicalSpace::unknown);
     REQUIRE(log.notes.size() == 1);
-    CHECK(
-        log.notes[0].ends_with("v.dcm: does not tell its position and orientation: world "
-                               "coordinates are not the patient's"));
+    CHECK(text_of(log.notes[0])
+              .ends_with("v.dcm: does not tell its position and orientation: world "
+                         "coordinates are not the patient's"));
     read({{{0x00200037, directions}}}, log);
-    CHECK(log.notes.back().find("does not tell its position: world") != std::string::npos);
+    CHECK(log.notes.back().words.find("does not tell its position: world") != std::string::npos);
     read({{{0x00200032, position}}}, log);
-    CHECK(log.notes.back().find("does not tell its orientation: world") != std::string::npos);
+    CHECK(log.notes.back().words.find("does not tell its orientation: world") != std::string::npos);
     // What the file says of the whole goes before.
     DicomElements elements = plain;
     elements[0x00540022] = dicom_sequence(form, {other});
@@ -439,19 +439,21 @@ TEST_CASE("a folder of several series lists them, and one of them is taken") {
     ReadLog log;
     CHECK(bytes_of_samples(read_volume(folder.path(input), options, &log)) == head.bytes);
     REQUIRE(log.notes.size() == 1);
-    CHECK(log.notes[0].ends_with("disk: passed over 'DICOMDIR': no DICOM images"));
+    CHECK(text_of(log.notes[0]).ends_with("disk: passed over 'DICOMDIR': no DICOM images"));
     options.series = 2;
     CHECK(bytes_of_samples(read_volume(folder.path(input), options, &log)) == chest.bytes);
-    REQUIRE(log.notes.size() == 3);
-    CHECK(log.notes[2].ends_with(
-        "disk: left out 'a/side': of another series, size, spacing or orientation"));
+    REQUIRE(log.notes.size() == 2);  // the first is there once
+    CHECK(
+        text_of(log.notes[1])
+            .ends_with("disk: left out 'a/side': of another series, size, spacing or orientation"));
   }
   // A folder with images of its own is no more than these.
   ReadLog log;
   CHECK(bytes_of_samples(read_volume(folder.path("disk/a"), {}, &log)) == chest.bytes);
   REQUIRE(log.notes.size() == 1);
-  CHECK(log.notes[0].ends_with(
-      "disk/a: left out 'scout' and 1 more: of another series, size, spacing or orientation"));
+  CHECK(text_of(log.notes[0])
+            .ends_with("disk/a: left out 'scout' and 1 more: of another series, size, spacing or "
+                       "orientation"));
   std::filesystem::create_directories(folder.path("disk/a/nested"));
   std::filesystem::copy(folder.path("disk/b/head"), folder.path("disk/a/nested"));
   CHECK(bytes_of_samples(read_volume(folder.path("disk/a"))) == chest.bytes);
@@ -483,14 +485,14 @@ TEST_CASE("of many series a message has the first, and all are listed") {
   CHECK(message.ends_with(" more, which 'deliso info' lists"));
   CHECK(message.find("[...]") == std::string::npos);
   CHECK(message.size() > 300);
-  std::vector<std::string> lines;
+  std::vector<FoundSeries> found;
   try {
     read_volume(folder.path("disk"));
   } catch (const SeveralSeries& several) {
-    lines = several.series;
+    found = several.series;
   }
-  REQUIRE(lines.size() == 40);
-  CHECK(lines[39] == "'" + std::string(37, 'x') + "...', 2 images of 4 x 3 ('40-0')");
+  REQUIRE(found.size() == 40);
+  CHECK(text_of(found[39]) == "'" + std::string(37, 'x') + "...', 2 images of 4 x 3 ('40-0')");
   ReadOptions options;
   options.series = 40;
   CHECK(read_volume(folder.path("disk"), options).dims().k == 2);
@@ -509,7 +511,7 @@ TEST_CASE("images in color or of a codec that is not read do not disturb a serie
   ReadLog log;
   CHECK(bytes_of_samples(read_volume(series, {}, &log)) == truth.bytes);
   REQUIRE(log.notes.size() == 1);
-  CHECK(log.notes[0].find("left out 'color0' and 1 more: ") != std::string::npos);
+  CHECK(log.notes[0].words.find("left out 'color0' and 1 more: ") != std::string::npos);
 }
 
 // It was refused, with --spacing too; then the mesh would lack what the slice shows.
@@ -534,9 +536,10 @@ TEST_CASE("a missing slice is a wider gap, with a note") {
     CHECK(volume.all_places()[2] == std::vector<double>{0, 3, 9, 12});
     CHECK(volume.spacing().z == 3);
     REQUIRE(log.notes.size() == 3);
-    CHECK(log.notes[0].ends_with(
+    CHECK(log.notes[0].words.ends_with(
         "left out 'e.dcm': of another series, size, spacing or orientation"));
-    CHECK(log.notes[1].find("slices seem to be missing between 'b.dcm' and 'a', which lie 6 apart, "
+    CHECK(log.notes[1].severity == Severity::warning);
+    CHECK(log.notes[1].words.find("slices seem to be missing between 'b.dcm' and 'a', which lie 6 apart, "
                             "where others have 3: ") != std::string::npos);
   }
 }
@@ -570,13 +573,8 @@ TEST_CASE("slices that are uneven or tilted stay where they are") {
                            steps[static_cast<std::size_t>(at.k)] * up;
       CHECK(distance(volume.frame().to_world(volume.position(at)), in_file) < 1e-9);
     }
-    const auto has_note = [&](const char* words) {
-      return std::ranges::any_of(log.notes, [&](const std::string& note) {
-        return note.find(words) != std::string::npos;
-      });
-    };
-    CHECK(has_note("slices are uneven") == is_uneven);
-    CHECK(has_note("sheared grid (") == is_tilted);
+    CHECK(has(log.notes, "slices-uneven") == is_uneven);
+    CHECK(has(log.notes, "sheared-grid") == is_tilted);
     ReadOptions options;
     options.roi = Roi{{1, 0, 2}, {3, 2, 5}};
     const Volume part = read_volume(series, options);
@@ -616,7 +614,7 @@ TEST_CASE("positions that are rounded are no tilt") {
     const Volume volume = read_volume(path, {}, &log);
     CHECK(volume.dims() == truth.dims);
     CHECK(bytes_of_samples(volume) == truth.bytes);
-    for (const std::string& note : log.notes) CHECK(note.find("sheared") == std::string::npos);
+    CHECK(!has(log.notes, "sheared-grid"));
     CHECK(dot(volume.frame().axes[2], volume.frame().axes[0]) == doctest::Approx(0).epsilon(1e-9));
   }
 }
@@ -634,10 +632,10 @@ TEST_CASE("a scan that is coarser from some place on lacks no slices") {
   const Volume volume = with({0, 1, 2, 3, 4, 5, 7, 9, 11}, &log);
   CHECK(volume.dims() == truth.dims);
   REQUIRE(log.notes.size() == 1);
-  CHECK(log.notes[0].find("uneven, from 1 to 2 apart") != std::string::npos);
+  CHECK(log.notes[0].words.find("uneven, from 1 to 2 apart") != std::string::npos);
   log = {};
   with({0, 1, 2, 3, 4, 5, 6, 8, 10}, &log);
-  CHECK(log.notes[0].find("slices seem to be missing") != std::string::npos);
+  CHECK(log.notes[0].words.find("slices seem to be missing") != std::string::npos);
 }
 
 // All of these were refused, and --spacing was not looked at.
@@ -660,7 +658,7 @@ TEST_CASE("slices without places, directions or spacings are read, with a note o
   };
   const auto has_note = [&](const char* note) {
     return std::ranges::any_of(
-        log.notes, [&](const std::string& line) { return line.find(note) != std::string::npos; });
+        log.notes, [&](const Diagnostic& d) { return d.words.find(note) != std::string::npos; });
   };
   const auto is_reversed = [&](const Volume& volume) {
     std::string slices;
@@ -758,8 +756,8 @@ TEST_CASE("bytes behind the samples are noted, and not read") {
     });
     CHECK(bytes_of_samples(read_volume(series, {}, &log)) == truth.bytes);
     REQUIRE(log.notes.size() == 1);
-    CHECK(log.notes[0].ends_with(text("'a' and 1 more have up to ", padding,
-                                      " bytes behind the samples, which are not read")));
+    CHECK(log.notes[0].words.ends_with(text("'a' and 1 more have up to ", padding,
+                                            " bytes behind the samples, which are not read")));
   }
 }
 
@@ -773,11 +771,11 @@ TEST_CASE("an image that is there twice is left out, and told") {
   ReadLog log;
   CHECK(bytes_of_samples(read_volume(series, {}, &log)) == truth.bytes);
   REQUIRE(log.notes.size() == 1);
-  CHECK(log.notes[0].ends_with(
-      "series: left out 'copy of a', the same image (SOPInstanceUID) as 'a'"));
+  CHECK(text_of(log.notes[0])
+            .ends_with("series: left out 'copy of a', the same image (SOPInstanceUID) as 'a'"));
   std::filesystem::copy(series + "/b.dcm", series + "/copy of b");
   read_volume(series, {}, &log);
-  CHECK(log.notes[1].ends_with("as 'a', and 1 more copies"));
+  CHECK(log.notes[1].words.ends_with("as 'a', and 1 more copies"));
   // Programs that give all images one name write others all the same.
   CHECK(bytes_of_samples(read_volume(write_series(folder, truth, {}, [](int, DicomElements& e) {
           e[0x00080018] = {"UI", "1.2"};
@@ -917,7 +915,7 @@ TEST_CASE("a file of several frames says where they are") {
   const Volume half = read_volume(folder.write("v.dcm", dicom_file(form, elements)), {}, &log);
   CHECK(half.sample(1, 0, 0) == 0.5 * static_cast<std::uint8_t>(truth.bytes[1]));
   REQUIRE(log.notes.size() == 2);
-  CHECK(log.notes[0].find("they are kept as stored") != std::string::npos);
+  CHECK(log.notes[0].words.find("they are kept as stored") != std::string::npos);
   elements = dicom_image(truth, form, 0, kSlices);
   elements[0x00180088] = {"DS", "-3"};
   const Volume back = read_volume(folder.write("v.dcm", dicom_file(form, elements)));

@@ -86,8 +86,8 @@ TEST_CASE("slices that ImageJ calls channels are slices") {
     const Volume volume = read_volume(folder.write("v.tif", tiff_file({}, pages)), {}, &log);
     CHECK(bytes_of_samples(volume) == truth.bytes);
     REQUIRE(log.notes.size() == 1);
-    CHECK(log.notes[0].ends_with((word == "frames" ? "3 times" : "3 channels") +
-                                 std::string(" of one slice are taken as slices")));
+    CHECK(log.notes[0].words.ends_with((word == "frames" ? "3 times" : "3 channels") +
+                                       std::string(" of one slice are taken as slices")));
   }
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("ImageJ's spacing, unit and signed samples") {
   CHECK(log.notes.empty());
   CHECK(read("unit=micron\nspacing=2.5\n", true, log).spacing() == Vec3{0.25, 2, 2.5});
   REQUIRE(log.notes.size() == 1);
-  CHECK(log.notes[0].ends_with("the spacing is in 'micron', as ImageJ has it"));
+  CHECK(log.notes[0].words.ends_with("the spacing is in 'micron', as ImageJ has it"));
   CHECK(read("unit=micron\nyunit=nm\nspacing=2.5\nzunit=mm\n", true, log).spacing() ==
         Vec3{0.25, 0.002, 2500});
   CHECK_THROWS_AS(read("unit=micron\nzunit=plane\n", true, log), InputError);
@@ -164,10 +164,10 @@ TEST_CASE("a note is one line of bounded length") {
     ReadLog log;
     read_volume(folder.write("v\x1b\n.tif", tiff_file({}, pages)), {}, &log);
     REQUIRE(log.notes.size() == 1);
-    CHECK(log.notes[0].find("?[31m?") != std::string::npos);
-    CHECK(log.notes[0].find("v??.tif: ") != std::string::npos);
-    CHECK(log.notes[0].size() < 600);
-    CHECK(std::ranges::none_of(log.notes[0], [](char c) { return c >= 0 && c < ' '; }));
+    CHECK(log.notes[0].words.find("?[31m?") != std::string::npos);
+    CHECK(text_of(log.notes[0]).find("v??.tif: ") != std::string::npos);
+    CHECK(log.notes[0].words.size() < 600);
+    CHECK(std::ranges::none_of(text_of(log.notes[0]), [](char c) { return c >= 0 && c < ' '; }));
   }
 }
 
@@ -229,7 +229,7 @@ TEST_CASE("OME's spacing") {
   ReadLog log;
   CHECK(near(read_volume(with_units("nm", "\u00b5m", "mm"), {}, &log).spacing(), {700, 900, 1300}));
   REQUIRE(log.notes.size() == 1);
-  CHECK(log.notes[0].ends_with("the spacing is in 'nm', as OME has it"));
+  CHECK(log.notes[0].words.ends_with("the spacing is in 'nm', as OME has it"));
   CHECK(near(read_volume(with_units("nm", "", "mm")).spacing(), {700, 900, 1300}));
   CHECK(near(read_volume(with_units("", "", "m")).spacing(), {700, 0.9, 1300}));
   CHECK(read_volume(with_units("ell", "ell", "ell")).spacing() == Vec3{700, 0.9, 0.0013});
@@ -254,11 +254,11 @@ TEST_CASE("a resolution without the distance of pages is noted, and white zeros"
   CHECK(read_volume(folder.write("v.tif", tiff_file({}, pages)), {}, &log).spacing() ==
         Vec3{1, 1, 1});
   REQUIRE(log.notes.size() == 1);
-  CHECK(log.notes[0].find("--spacing gives another distance") != std::string::npos);
+  CHECK(log.notes[0].words.find("--spacing gives another distance") != std::string::npos);
   for (TiffPage& page : pages) page.tags[262] = tiff_value({}, 0, 3);
   const Volume volume = read_volume(folder.write("v.tif", tiff_file({}, pages)), {}, &log);
   CHECK(bytes_of_samples(volume) == tiff_truth().bytes);
-  CHECK(log.notes.back().find("(WhiteIsZero)") != std::string::npos);
+  CHECK(log.notes.back().words.find("(WhiteIsZero)") != std::string::npos);
 }
 
 TEST_CASE("reduced pictures and masks are no slices") {
@@ -294,8 +294,8 @@ TEST_CASE("a folder of TIFF files is a stack, in the order of the numbers in the
   CHECK(volume.spacing() == Vec3{1, 1, 2.5});
   CHECK(log.files.size() == 12);
   REQUIRE(log.notes.size() == 2);
-  CHECK(log.notes[0].ends_with("passed over 'Thumbs.db': no TIFF images"));
-  CHECK(log.notes[1].ends_with("12 slices, from 'ct1_a.tif' to 'ct12_a.tif'"));
+  CHECK(log.notes[0].words.ends_with("passed over 'Thumbs.db': no TIFF images"));
+  CHECK(log.notes[1].words.ends_with("12 slices, from 'ct1_a.tif' to 'ct12_a.tif'"));
 
   const auto fault_of_slice = [&](const std::string& content) {
     folder.write(name(4), content);
