@@ -142,6 +142,10 @@ VerifyOptions verify_options(const CommandLine& line, const Grid& volume,
       line.command == Command::check ? line.given : CommandLine::Given{};
   options.require_distance = given.limits[Criterion::distance];
   const bool by_note = noted && !(line.command == Command::check && line.paper);
+  // Ours have every vertex on the surface, at any distance.
+  if (options.require_distance && !noted) {
+    options.allowed_off_surface = options.limits[Criterion::distance];
+  }
   if (by_note) options.most_over_limit = kMostOverLimit;
   const double voxel = volume.voxel();
   if (by_note && !given.r_min) options.limits.r_min = noted->r_min * voxel;
@@ -169,11 +173,14 @@ std::string verification_text(const Verification& v, const Grid& volume) {
     out += "\nsolid     " + solid_text(v.solid->cap_vertices, v.solid->cap_triangles,
                                        world_volume(v.solid->volume, volume.frame()),
                                        v.solid->quality);
-    out +=
-        text("\n          caps are at most ", rounded(v.solid->off_box / voxel),
-             " voxels off the box, ", v.solid->self_intersections, " self-intersections with them");
+    out += text("\n          ", v.solid->self_intersections, " self-intersections with caps");
     if (v.solid->close_places > 0)
       out += "\n          " + close_at_caps_text(v.solid->close_places);
+  }
+  out += text("\nvertices  on the surface within ", rounded(v.tolerance / voxel), " voxels");
+  if (v.off_as_allowed > 0) {
+    out += text(", but ", v.off_as_allowed, " up to ", rounded(v.max_off_surface / voxel),
+                " voxels off, as --max-distance allows");
   }
   out += text("\n", delaunay_text(v.delaunay));
   if (v.voronoi) out += voronoi_text(*v.voronoi);
@@ -208,8 +215,12 @@ void add_verification(ReportWriter& out, const Verification& v, const Grid& volu
   out.add("equal_components", v.equal_components, "of both, one to one, with equal topology");
   out.add("small_components", v.left_out,
           "components of the surface, missing as --min-component and --largest allow");
-  out.add("surface_tolerance_voxels", v.surface_tolerance / voxel,
-          "how far a vertex may be off the surface; voxels");
+  out.add("tolerance_voxels", v.tolerance / voxel,
+          "how far a vertex may be off the surface, and an end of the mesh off the box: from the "
+          "digits of the coordinates, or --tolerance; voxels");
+  out.add(
+      "vertices_off_as_allowed", v.off_as_allowed,
+      "vertices further off the surface, but within --max-distance, of a mesh that is not ours");
   out.add("max_off_surface_voxels", v.max_off_surface / voxel,
           "the largest distance of a vertex beyond that; 0: none; voxels");
   const SolidSummary solid = v.solid.value_or(SolidSummary());
@@ -217,9 +228,6 @@ void add_verification(ReportWriter& out, const Verification& v, const Grid& volu
     add_solid(out, solid.cap_vertices, solid.cap_triangles,
               world_volume(solid.volume, volume.frame()), solid.quality);
   }
-  out.optional(v.solid.has_value())
-      .add("caps_off_box_voxels", solid.off_box / voxel,
-           "the largest distance of a cap's corner from the box; voxels");
   out.optional(v.solid.has_value()).add("cap_close_places", solid.close_places, kCapClosePlaces);
   out.optional(v.solid.has_value())
       .add("cap_self_intersections", solid.self_intersections,

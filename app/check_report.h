@@ -19,7 +19,7 @@ namespace deliso {
 inline constexpr const char* kKeepDoubles =
     ".ply, .off, .obj, .vtp, .3mf, .smesh and .poly keep doubles, without --float";
 
-// Returns the options of a verification, with lengths in the scaled frame and position_error 0.
+// Returns the options of a verification, with lengths in the scaled frame and tolerance 0.
 // Both the check command and --check judge by `noted`, the criteria in the mesh's file, and require
 // that few triangles are over a limit if there are any. Limits given to the check command go before
 // these, and it requires a distance given.

@@ -39,9 +39,7 @@ struct CleanMesh {
 // Where triangles may have edges that no other triangle shares.
 enum class MayEnd : std::uint8_t { on_box, nowhere };
 
-// Returns the clean mesh and reports its faults. A vertex within `tolerance` of the box counts as
-// on it. pre: `faults` is empty.
-CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance, MayEnd may_end,
-                         Faults& faults);
+// Returns the clean mesh and reports its faults. pre: `faults` is empty.
+CleanMesh check_validity(const TriMesh& mesh, const Box3& box, MayEnd may_end, Faults& faults);
 
 }  // namespace deliso
