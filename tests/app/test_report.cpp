@@ -235,6 +235,24 @@ TEST_CASE("faults of rounding are told by their kinds") {
   CHECK(place_faults_text({0, 1, 1}) == "1 triangle flat, 1 vertex coincide with others");
 }
 
+// Doubles are 2 apart at 1e16. The verdict was on the coordinates in memory: no crossings.
+TEST_CASE("the verdict is on the coordinates of the file, which doubles round far from the origin") {
+  const TemporaryFolder folder;
+  for (const bool far : {false, true}) {
+    CAPTURE(far);
+    const CommandLine line = parsed("builtin:sphere:16 --iso 0.5 -o " + folder / "far.ply" +
+                                    (far ? " --spacing 1,1,1 --origin 1e16,0,0" : ""));
+    const Input input = read_input(line);
+    MeshRun run(line, input);
+    ProgressBar progress(mesh_stages(line), false);
+    mesh_input(run, progress, [](const std::string&) {});
+    CHECK(run.sound() == !far);
+    CHECK((run.by_rounding().coincident > 0) == far);
+    CHECK((report_text(run).find("FAULT: double precision makes") != std::string::npos) == far);
+    CHECK((report_text(run).find("no crossings") == std::string::npos) == far);
+  }
+}
+
 // Saddles of faces at the isovalue: T crosses itself in the smallest cells, too. Stage 2 mends the
 // second voxel. The verdict said of both that triangles may cross in one voxel.
 TEST_CASE("the verdict tells how many triangles cross, as the check finds them") {
