@@ -165,6 +165,14 @@ DigitsOfPoints digits_of(const std::vector<Vec3>& points) {
   return found;
 }
 
+void drop_smallest(std::vector<Vec3>& points) {
+  for (Vec3& p : points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::fabs(p[axis]) < kSmallestCoordinate) p[axis] = 0;
+    }
+  }
+}
+
 double bring_home(TriMesh& mesh, const Grid& volume, double rounding, double stated) {
   const Frame at = volume.frame().in_space(mesh.frame.space);
   const Box3 box = volume.box();
@@ -182,12 +190,7 @@ double bring_home(TriMesh& mesh, const Grid& volume, double rounding, double sta
   const double fine = of_doubles <= kFineVoxels * voxel ? of_doubles : 0;
   FacesOfBox(mesh, volume.box())
       .settle({fine, std::min(error, coarse)}, std::max(std::min(tolerance, coarse), stated));
-  // Coordinates too small for the predicates are far below all rounding.
-  for (Vec3& p : mesh.points) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (std::fabs(p[axis]) < kSmallestCoordinate) p[axis] = 0;
-    }
-  }
+  drop_smallest(mesh.points);
   if (at.left_handed()) {
     for (Face& face : mesh.faces) {
       std::swap(face.v[1], face.v[2]);

@@ -17,6 +17,9 @@ struct DigitsOfPoints {
 };
 DigitsOfPoints digits_of(const std::vector<Vec3>& points);
 
+// Sets coordinates too small for the predicates to 0: they are far below all rounding.
+void drop_smallest(std::vector<Vec3>& points);
+
 // Maps the mesh to the volume's scaled frame, in place. If both name a patient's space, it is out
 // of its own. `rounding`: as of MeshNotes. Returns the tolerance for vertices on Sigma and on the
 // box, in the scaled frame: a millionth of a voxel and twice the error of the digits, or `stated`
@@ -27,7 +30,6 @@ DigitsOfPoints digits_of(const std::vector<Vec3>& points);
 //   H2  An end of the mesh (of a closed mesh any vertex) within the tolerance of a face is on it.
 //       Where most of these are on the face but for the error of the digits, or of doubles, only
 //       they are: then the others were made off it, however near.
-// Coordinates too small for the predicates become 0.
 double bring_home(TriMesh& mesh, const Grid& volume, double rounding = 0, double stated = 0);
 
 }  // namespace deliso

@@ -16,12 +16,6 @@ namespace {
 // Of the meshes of scans and noisy fields up to 1.4 % of the triangles are over a limit.
 constexpr double kMostOverLimit = 0.02;
 
-std::string place_text(const Vec3& p) {
-  constexpr int kDigits = 7;
-  return text("(", rounded(p.x, kDigits), " ", rounded(p.y, kDigits), " ", rounded(p.z, kDigits),
-              ")");
-}
-
 std::string share_text(std::size_t part, std::size_t whole) {
   const double share =
       static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, whole));
@@ -125,6 +119,12 @@ std::string counts_text(const TopologyCounts& t) {
 
 }  // namespace
 
+std::string place_text(const Vec3& p) {
+  constexpr int kDigits = 7;
+  return text("(", rounded(p.x, kDigits), " ", rounded(p.y, kDigits), " ", rounded(p.z, kDigits),
+              ")");
+}
+
 VerifyOptions verify_options(const CommandLine& line, const Grid& volume,
                              const std::optional<Criteria>& noted) {
   const Options& asked = line.options;
@@ -189,19 +189,20 @@ std::string verification_text(const Verification& v, const Grid& volume) {
   out += distances_text("->mesh    ", v.from_surface, 2 * bound, voxel, volume);
   out += "criteria  " + limits_text(v.limits, voxel) + "\n" + over_text(v, voxel);
   if (v.boundary.edges > 0) out += boundary_text(v.boundary, voxel);
-  bool any = false;
+  return out + faults_text(v.faults, volume.frame());
+}
+
+std::string faults_text(const Faults& faults, const Frame& frame) {
+  std::string out;
   for (std::size_t n = 0; n < kFaultKinds; ++n) {
     const auto kind = static_cast<FaultKind>(n);
-    if (v.faults.count(kind) == 0) continue;
-    any = true;
-    out += text("FAULT     ", name_of(kind), ": ", v.faults.count(kind), "\n");
-    for (const Fault& fault : v.faults.first(kind)) {
-      out +=
-          "          " + fault.what + " at " + place_text(volume.frame().to_world(fault.at)) + "\n";
+    if (faults.count(kind) == 0) continue;
+    out += text("FAULT     ", name_of(kind), ": ", faults.count(kind), "\n");
+    for (const Fault& fault : faults.first(kind)) {
+      out += "          " + fault.what + " at " + place_text(frame.to_world(fault.at)) + "\n";
     }
   }
-  if (!any) out += "faults    none\n";
-  return out;
+  return out.empty() ? "faults    none\n" : out;
 }
 
 void add_verification(ReportWriter& out, const Verification& v, const Grid& volume) {
@@ -296,19 +297,23 @@ void add_verification(ReportWriter& out, const Verification& v, const Grid& volu
   out.add_seconds("delaunay", v.seconds_delaunay, "restricted Delaunay facets");
   out.add_seconds("distances", v.seconds_distances, "distances and criteria");
   out.close();
+  add_faults(out, v.faults, volume.frame());
+  out.close();
+}
+
+void add_faults(ReportWriter& out, const Faults& faults, const Frame& frame) {
   out.open("faults", "kinds of which there is one at least; none: the mesh is sound");
   for (std::size_t n = 0; n < kFaultKinds; ++n) {
     const auto kind = static_cast<FaultKind>(n);
-    if (!out.if_any(v.faults.count(kind) > 0)) continue;
+    if (!out.if_any(faults.count(kind) > 0)) continue;
     out.open(name_of(kind), "docs/guide/report.md");
-    out.add("count", v.faults.count(kind), "how many");
-    out.add_objects("first", "one of the first few", v.faults.first(kind), [&](const Fault& fault) {
+    out.add("count", faults.count(kind), "how many");
+    out.add_objects("first", "one of the first few", faults.first(kind), [&](const Fault& fault) {
       out.add("what", fault.what, "one line with ids");
-      out.add("at", volume.frame().to_world(fault.at), "where; world frame");
+      out.add("at", frame.to_world(fault.at), "where; world frame");
     });
     out.close();
   }
-  out.close();
   out.close();
 }
 

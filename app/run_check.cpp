@@ -40,6 +40,7 @@ CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const Command
 }
 
 int run_check(const CommandLine& line) {
+  if (line.meshes.size() > 1) return run_compare(line);
   MeshNotes notes;
   TriMesh mesh = read_mesh(line.meshes.front(), &notes);
   Input input = read_input(line, line.meshes);

@@ -112,7 +112,7 @@ void check_edges(CleanMesh& mesh, const Box3& box, MayEnd may_end, Faults& fault
       report(FaultKind::orientation, "runs the same way in triangles");
     } else if (edge.size() == 1 && may_end == MayEnd::nowhere) {
       report(FaultKind::holes, "of the solid is only of triangle");
-    } else if (edge.size() == 1 && !on_one_face(p, q, box)) {
+    } else if (edge.size() == 1 && may_end == MayEnd::on_box && !on_one_face(p, q, box)) {
       report(FaultKind::holes, "inside the box is only of triangle");
     }
     return true;
@@ -178,6 +178,20 @@ CleanMesh check_validity(const TriMesh& mesh, const Box3& box, MayEnd may_end, F
   check_edges(out, box, may_end, faults);
   check_vertices(out, faults);
   return out;
+}
+
+std::string name_of_triangle(const TriMesh& mesh, FaceId f) {
+  const Triangle& t = mesh.faces[f].v;
+  return text("triangle ", f, " (", t[0], " ", t[1], " ", t[2], ")");
+}
+
+Vec3 middle_of(const TriMesh& mesh, FaceId f) {
+  const Triangle& t = mesh.faces[f].v;
+  return (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
+}
+
+TopologyCounts counts_of(const TriMesh& mesh, const CleanMesh& clean) {
+  return clean.as_given ? clean.topology.counts() : mesh_topology(mesh).counts();
 }
 
 }  // namespace deliso

@@ -40,48 +40,6 @@ double search_limit(const Volume& volume) {
   return kSearchDiagonals * length(volume.spacing());
 }
 
-std::string name_of_triangle(const TriMesh& mesh, FaceId f) {
-  const Triangle& t = mesh.faces[f].v;
-  return text("triangle ", f, " (", t[0], " ", t[1], " ", t[2], ")");
-}
-
-Vec3 middle_of(const TriMesh& mesh, FaceId f) {
-  const Triangle& t = mesh.faces[f].v;
-  return (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
-}
-
-// Returns the counts of the mesh as it was given.
-TopologyCounts counts_of(const TriMesh& mesh, const CleanMesh& clean) {
-  return clean.as_given ? clean.topology.counts() : mesh_topology(mesh).counts();
-}
-
-// Pairs of triangles, by their ids in the mesh.
-using Pairs = std::vector<std::pair<FaceId, FaceId>>;
-
-Pairs report_self_intersections(const TriMesh& mesh, const CleanMesh& clean, int threads,
-                                Faults& faults) {
-  const TriangleTree tree(clean.points, clean.triangles, threads);
-  Crossings found = find_crossings(clean.points, clean.triangles, tree, threads);
-  for (auto& pair : found.pairs) {
-    pair = {clean.id[pair.first], clean.id[pair.second]};
-    faults.add(
-        FaultKind::self_intersections,
-        [&] {
-          return name_of_triangle(mesh, pair.first) + " meets " +
-                 name_of_triangle(mesh, pair.second);
-        },
-        middle_of(mesh, pair.first));
-  }
-  if (!found.given_up.empty()) {
-    const FaceId f = clean.id[found.given_up[0]];
-    faults.add(FaultKind::not_measured,
-               text("crossings of ", found.given_up.size(), " triangles, such as ",
-                    name_of_triangle(mesh, f), ": too many lie across each other"),
-               middle_of(mesh, f));
-  }
-  return std::move(found.pairs);
-}
-
 void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const VertexGrids& grids,
                          const Volume& volume, int threads, Faults& faults) {
   const ClosePlaces found = find_close_places(clean.points, clean.triangles, clean.uses, grids,
@@ -435,7 +393,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
 
   const Isosurface surface(volume, kappa);
   const double bound = options.limits[Criterion::distance], r_min = options.limits.r_min;
-  const Pairs intersections = report_self_intersections(mesh, whole, threads, faults);
+  const auto intersections = report_self_intersections(mesh, whole, threads, faults);
   // Up to here the points as given tell. What follows is measured.
   whole.points = on_lattice(volume, std::move(whole.points));
   if (surface_part) surface_part->points = whole.points;
