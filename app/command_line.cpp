@@ -283,7 +283,7 @@ void check_combination(CommandLine& line) {
   }
   if (line.command == Command::check && !line.meshes.empty() && line.input.empty()) {
     throw InputError(
-        "check needs a mesh and a volume, deliso check MESH INPUT --iso K, or two meshes");
+        "check needs a mesh and a volume: deliso check MESH INPUT --iso K; or two meshes");
   }
   if (line.input.empty() && line.meshes.empty() && line.command != Command::join) {
     throw InputError("no input given; --help shows how");

@@ -136,6 +136,18 @@ void turn_to(AnatomicalSpace space, Input& input) {
   input.field.source = source_of(input.volume().with_frame(turned));
 }
 
+std::string space_warning(const CommandLine& line, std::span<const TriMesh> meshes) {
+  constexpr AnatomicalSpace unknown = AnatomicalSpace::unknown;
+  const AnatomicalSpace asked = line.read.space;
+  for (std::size_t n = 0; n < meshes.size(); ++n) {
+    const AnatomicalSpace space = meshes[n].frame.space;
+    if (asked == unknown || space == unknown || space == asked) continue;
+    return one_line(text("--space ", short_name_of(asked), " has no effect: ", line.meshes[n],
+                         " names ", short_name_of(space), ", and the volume is turned to that"));
+  }
+  return {};
+}
+
 std::string no_surface_text(double isovalue, const ValueRange& range) {
   return text("no surface at isovalue ", isovalue, ": the samples are ", range.min, " to ",
               range.max);

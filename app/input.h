@@ -2,6 +2,7 @@
 // The volume of a command, with facts for its report.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "app/field.h"
 #include "app/report_writer.h"
 #include "io/volume/read_volume.h"
+#include "mesh/tri_mesh.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -56,6 +58,10 @@ Input input_of(const Source& source, const CommandLine& line);
 
 // Turns the volume to the space that a mesh names, if it names one itself.
 void turn_to(AnatomicalSpace space, Input& input);
+
+// Returns a warning that --space has no effect, if the meshes name another space; else an empty
+// text. `meshes` have the line's names.
+std::string space_warning(const CommandLine& line, std::span<const TriMesh> meshes);
 
 // Writes the warning, if there is one, unless the command is to be quiet.
 void print_warning(const std::string& warning, const CommandLine& line);

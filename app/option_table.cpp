@@ -412,7 +412,8 @@ constexpr CommandSpec kCommandTable[] = {
      "curves in orange."},
     {Command::check, "check", "check MESH INPUT --iso K [options]",
      "Holds a mesh against the isosurface of a volume: validity, self-intersections, exact "
-     "topology, Delaunay triangles, distances both ways, shapes. A second mesh in place of INPUT is "
+     "topology, Delaunay triangles, distances both ways, shapes. A second mesh in place of INPUT "
+     "is "
      "compared with the first: validity and topology of each, distances both ways; --max-distance "
      "makes larger ones a fault. Exit status: 0 no fault, 1 a fault, 2 bad usage or input."},
     {Command::render, "render", "render MESH [MESH ...] -o PICTURE.png [options]",

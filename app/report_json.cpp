@@ -364,7 +364,8 @@ std::string report_schema() {
   out.describe_report(
       "mesh", [&] { add_shared(out, SharedRun(line, source, {})); }, "with --label all --shared");
   out.describe_report("check", [&] { add_check(out, "", false, input, {}); });
-  out.describe_report("check", [&] { add_comparison(out, {}, {}); }, "of two meshes");
+  out.describe_report(
+      "check", [&] { add_comparison(out, {}, {}); }, "of two meshes");
   out.describe_report("info", [&] { add_info(out, {input, {}, {}, {}, {}, 0, {}, 0, {}, 0}); });
   return out.finish();
 }

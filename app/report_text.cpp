@@ -225,9 +225,10 @@ std::string report_text(const MeshRun& run) {
   }
   if (run.by_rounding().count() > 0) {
     const bool single = writes_single_precision(run.line.write);
-    lines += text("rounding  FAULT: ", single ? "single" : "double", " precision makes ",
-                  place_faults_text(run.by_rounding()), single ? "; " : ", so far from the origin: ",
-                  single ? kKeepDoubles : "give --origin 0,0,0", "\n");
+    lines +=
+        text("rounding  FAULT: ", single ? "single" : "double", " precision makes ",
+             place_faults_text(run.by_rounding()), single ? "; " : ", so far from the origin: ",
+             single ? kKeepDoubles : "give --origin 0,0,0", "\n");
   }
   if (run.triangles > 0) {
     const double lambda = options.limits[Criterion::r_over_l].value;

@@ -44,6 +44,7 @@ int run_check(const CommandLine& line) {
   MeshNotes notes;
   TriMesh mesh = read_mesh(line.meshes.front(), &notes);
   Input input = read_input(line, line.meshes);
+  print_warning(space_warning(line, {&mesh, 1}), line);
   turn_to(mesh.frame.space, input);
   const std::string asked = field_note(line.field, input.grid());
   const auto made = noted_field(notes.comments);

@@ -37,9 +37,9 @@ std::string side_text(const std::string& name, const MeshVerdict& mesh) {
 
 std::string distances_text(const char* name, const Distances& d) {
   if (d.points == 0) return text(name, "not measured\n");
-  std::string line = text(name, "max ", rounded(d.max), ", mean ", rounded(d.mean), ", rms ",
-                          rounded(d.rms), ", 99.9 % ", rounded(d.quantile_999), ", furthest at ",
-                          place_text(d.furthest), "\n");
+  std::string line =
+      text(name, "max ", rounded(d.max), ", mean ", rounded(d.mean), ", rms ", rounded(d.rms),
+           ", 99.9 % ", rounded(d.quantile_999), ", furthest at ", place_text(d.furthest), "\n");
   if (d.given_up > 0) line += "          " + counted(d.given_up, "point") + " given up\n";
   return line;
 }

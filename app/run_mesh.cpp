@@ -175,7 +175,8 @@ bool is_far(const Grid& volume) {
 // doubles far from the origin; caps may cross the surface, and so may triangles of a contour that
 // crossed itself. No other step makes triangles cross (docs/proof.md, Corollary 7.1), so no other
 // mesh is searched. If there are some, counts those of the doubles too (far from the origin of the
-// mesh at home), to see whether rounding is the cause, and tries another rounding to floats. Returns a mesh to write in place of `mesh`, if that helps.
+// mesh at home), to see whether rounding is the cause, and tries another rounding to floats.
+// Returns a mesh to write in place of `mesh`, if that helps.
 std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run, const Warn& warn) {
   const CommandLine& line = run.line;
   const bool is_written = !line.output.empty();

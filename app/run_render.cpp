@@ -178,6 +178,7 @@ int run_render(const CommandLine& line) {
   for (const std::string& name : line.meshes) {
     meshes.push_back(read_mesh(name, &notes.emplace_back()));
   }
+  print_warning(space_warning(line, meshes), line);
   const std::string report = draw(meshes, notes, line);
   if (!line.quiet) print_report(report, line.output == "-");
   return kExitSuccess;

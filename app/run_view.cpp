@@ -68,6 +68,7 @@ int run_view(const CommandLine& line) {
   for (const std::string& name : line.meshes) meshes.push_back(read_mesh(name));
   std::optional<Input> input;
   if (!line.input.empty()) input = read_input(line, line.meshes);
+  print_warning(space_warning(line, meshes), line);
 
   const Vec3 middle = middle_of(meshes);
   PageData data;

@@ -27,7 +27,8 @@ inline std::vector<Vec3> on_lattice(const Grid& volume, std::vector<Vec3> points
     const Vec3 lo = volume.position(voxel), hi = volume.position(voxel + Index3{1, 1, 1});
     for (int axis = 0; axis < 3; ++axis) {
       const double side = hi[axis] - lo[axis];
-      const double t = std::floor((p[axis] - lo[axis]) / side * kLatticeSteps + kLatticeTurn) / kLatticeSteps;
+      const double t =
+          std::floor((p[axis] - lo[axis]) / side * kLatticeSteps + kLatticeTurn) / kLatticeSteps;
       p[axis] = t == 1 ? hi[axis] : lo[axis] + t * side;
     }
   }

@@ -122,8 +122,9 @@ Crossings find_crossings(const std::vector<Vec3>& points, std::span<const Triang
   return Search(points, triangles, tree, threads).run();
 }
 
-std::vector<std::pair<FaceId, FaceId>> report_self_intersections(const TriMesh& mesh, const CleanMesh& clean, int threads,
-                                Faults& faults) {
+std::vector<std::pair<FaceId, FaceId>> report_self_intersections(const TriMesh& mesh,
+                                                                 const CleanMesh& clean,
+                                                                 int threads, Faults& faults) {
   const TriangleTree tree(clean.points, clean.triangles, threads);
   Crossings found = find_crossings(clean.points, clean.triangles, tree, threads);
   for (auto& pair : found.pairs) {

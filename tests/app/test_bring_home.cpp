@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What rounding does to the coordinates of a file is no fault, in any frame (the storm stress_frames
-// has the whole law).
+// What rounding does to the coordinates of a file is no fault, in any frame (the storm
+// stress_frames has the whole law).
 #include "app/bring_home.h"
 
 #include <doctest/doctest.h>

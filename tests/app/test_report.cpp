@@ -78,7 +78,7 @@ std::vector<JsonValue> all_reports() {
         "check " + bad + " " + field, "info " + field, "info " + field + " --iso 0.3",
         "info " + mask, mask + " --label 120,121,200 --smooth 2",
         mask + " --label 0 --median 1 --allow-empty", "info " + field + " --median 1 --smooth 1vox",
-        "info " + named + " --array density",
+        "info " + named + " --array density", "check " + mesh + " " + bad,
         labels + " --label all --cap --vertices 300 --shared " + mesh}) {
     all.push_back(written(folder, line));
   }
@@ -236,7 +236,8 @@ TEST_CASE("faults of rounding are told by their kinds") {
 }
 
 // Doubles are 2 apart at 1e16. The verdict was on the coordinates in memory: no crossings.
-TEST_CASE("the verdict is on the coordinates of the file, which doubles round far from the origin") {
+TEST_CASE(
+    "the verdict is on the coordinates of the file, which doubles round far from the origin") {
   const TemporaryFolder folder;
   for (const bool far : {false, true}) {
     CAPTURE(far);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A storm of frames: check reports the same of a volume that lies along the axes of the world and of
-// one that lies turned, mirrored or sheared. Each random volume (option_volume.h) is meshed once, a
-// third of them with caps; its vertices go to the world in each frame, as a file has them, and are
-// verified there.
+// A storm of frames: check reports the same of a volume that lies along the axes of the world and
+// of one that lies turned, mirrored or sheared. Each random volume (option_volume.h) is meshed
+// once, a third of them with caps; its vertices go to the world in each frame, as a file has them,
+// and are verified there.
 //   stress_frames [--first-seed N] [--count M] [--list]
 // Seeds first-seed .. first-seed + count - 1 (1 .. 100), each in a child process. A seed is other
 // where a kind of fault has another count, or a figure of the report differs by more than 1e-9 of
@@ -88,8 +88,8 @@ Figures figures_of(const Verification& v) {
   add(all, "above r_min", v.triangles_above_r_min, v.max_h_above_r_min, v.max_h_over_r_above_r_min);
   add(all, "boundary", v.boundary.edges, v.boundary.max_h, v.boundary.over_a_limit);
   const SolidSummary solid = v.solid.value_or(SolidSummary());
-  add(all, "solid", solid.cap_triangles, solid.volume, solid.self_intersections,
-      solid.close_places, solid.quality.area);
+  add(all, "solid", solid.cap_triangles, solid.volume, solid.self_intersections, solid.close_places,
+      solid.quality.area);
   return all;
 }
 
