@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "delaunay/predicates.h"
 #include "io/files/text_scan.h"
 #include "io/mesh/to_float.h"
@@ -37,13 +38,18 @@ double largest_coordinate(const std::vector<Vec3>& points) {
   return largest;
 }
 
-// Returns the fewest decimal digits that tell x from other doubles.
-int digits_in(double x) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, x, std::chars_format::scientific).ptr;
-  const std::string_view all(text, end);
-  return static_cast<int>(std::ranges::count_if(all.substr(0, all.find('e')),
-                                                [](char c) { return c >= '0' && c <= '9'; }));
+// The decimal with the fewest digits that no other double is nearer to.
+struct Decimal {
+  int digits = 0, exponent = 0;  // d.ddd * 10^exponent
+};
+Decimal decimal_of(double x) {
+  char words[32];
+  const auto end = std::to_chars(words, words + sizeof words, x, std::chars_format::scientific).ptr;
+  const std::string_view all(words, end);
+  const std::size_t e = all.find('e');
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  return {static_cast<int>(std::ranges::count_if(all.substr(0, e), is_digit)),
+          number_in<int>(all.substr(e + 1)).value_or(0)};
 }
 
 // Returns the most digits of a coordinate, or kDigitsOfDoubles if there are as many.
@@ -51,7 +57,7 @@ int digits_of_all(const std::vector<Vec3>& points) {
   int most = 0;
   for (const Vec3& p : points) {
     for (int axis = 0; axis < 3 && most < kDigitsOfDoubles; ++axis) {
-      most = std::max(most, digits_in(p[axis]));
+      most = std::max(most, decimal_of(p[axis]).digits);
     }
     if (most >= kDigitsOfDoubles) return kDigitsOfDoubles;
   }
@@ -60,7 +66,7 @@ int digits_of_all(const std::vector<Vec3>& points) {
 
 // Returns half a unit of the last of n digits of x.
 double half_digit(double x, int n) {
-  return x == 0 ? 0 : 0.5 * std::pow(10, std::floor(std::log10(std::fabs(x))) + 1 - n);
+  return x == 0 ? 0 : to_double(text("5e", decimal_of(x).exponent - n)).value_or(0);
 }
 
 // True if x is a float, or what a text has for one: the decimal with the fewest digits that is
@@ -69,9 +75,10 @@ bool is_float(double x, int digits) {
   if (to_float(x) == x) return true;
   if (digits > kDigitsOfFloats) return false;
   if (std::fabs(to_float(x) - x) <= half_digit(x, digits)) return true;
-  char text[32];
-  const std::to_chars_result end = std::to_chars(text, text + sizeof text, static_cast<float>(x));
-  return to_double({text, end.ptr}) == x;
+  char words[32];
+  const std::to_chars_result end =
+      std::to_chars(words, words + sizeof words, static_cast<float>(x));
+  return to_double({words, end.ptr}) == x;
 }
 
 // Returns the largest change of a coordinate at home by one of 1 along every axis of the world. It
