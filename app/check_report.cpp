@@ -16,12 +16,6 @@ namespace {
 // Of the meshes of scans and noisy fields up to 1.4 % of the triangles are over a limit.
 constexpr double kMostOverLimit = 0.02;
 
-std::string place_text(const Vec3& p) {
-  constexpr int kDigits = 7;
-  return text("(", rounded(p.x, kDigits), " ", rounded(p.y, kDigits), " ", rounded(p.z, kDigits),
-              ")");
-}
-
 std::string share_text(std::size_t part, std::size_t whole) {
   const double share =
       static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, whole));
@@ -125,6 +119,12 @@ std::string counts_text(const TopologyCounts& t) {
 
 }  // namespace
 
+std::string place_text(const Vec3& p) {
+  constexpr int kDigits = 7;
+  return text("(", rounded(p.x, kDigits), " ", rounded(p.y, kDigits), " ", rounded(p.z, kDigits),
+              ")");
+}
+
 VerifyOptions verify_options(const CommandLine& line, const Grid& volume,
                              const std::optional<Criteria>& noted) {
   const Options& asked = line.options;
@@ -142,6 +142,10 @@ VerifyOptions verify_options(const CommandLine& line, const Grid& volume,
       line.command == Command::check ? line.given : CommandLine::Given{};
   options.require_distance = given.limits[Criterion::distance];
   const bool by_note = noted && !(line.command == Command::check && line.paper);
+  // Ours have every vertex on the surface, at any distance.
+  if (options.require_distance && !noted) {
+    options.allowed_off_surface = options.limits[Criterion::distance];
+  }
   if (by_note) options.most_over_limit = kMostOverLimit;
   const double voxel = volume.voxel();
   if (by_note && !given.r_min) options.limits.r_min = noted->r_min * voxel;
@@ -169,11 +173,14 @@ std::string verification_text(const Verification& v, const Grid& volume) {
     out += "\nsolid     " + solid_text(v.solid->cap_vertices, v.solid->cap_triangles,
                                        world_volume(v.solid->volume, volume.frame()),
                                        v.solid->quality);
-    out +=
-        text("\n          caps are at most ", rounded(v.solid->off_box / voxel),
-             " voxels off the box, ", v.solid->self_intersections, " self-intersections with them");
+    out += text("\n          ", v.solid->self_intersections, " self-intersections with caps");
     if (v.solid->close_places > 0)
       out += "\n          " + close_at_caps_text(v.solid->close_places);
+  }
+  out += text("\nvertices  on the surface within ", rounded(v.tolerance / voxel), " voxels");
+  if (v.off_as_allowed > 0) {
+    out += text(", but ", v.off_as_allowed, " up to ", rounded(v.max_off_surface / voxel),
+                " voxels off, as --max-distance allows");
   }
   out += text("\n", delaunay_text(v.delaunay));
   if (v.voronoi) out += voronoi_text(*v.voronoi);
@@ -182,19 +189,20 @@ std::string verification_text(const Verification& v, const Grid& volume) {
   out += distances_text("->mesh    ", v.from_surface, 2 * bound, voxel, volume);
   out += "criteria  " + limits_text(v.limits, voxel) + "\n" + over_text(v, voxel);
   if (v.boundary.edges > 0) out += boundary_text(v.boundary, voxel);
-  bool any = false;
+  return out + faults_text(v.faults, volume.frame());
+}
+
+std::string faults_text(const Faults& faults, const Frame& frame) {
+  std::string out;
   for (std::size_t n = 0; n < kFaultKinds; ++n) {
     const auto kind = static_cast<FaultKind>(n);
-    if (v.faults.count(kind) == 0) continue;
-    any = true;
-    out += text("FAULT     ", name_of(kind), ": ", v.faults.count(kind), "\n");
-    for (const Fault& fault : v.faults.first(kind)) {
-      out +=
-          "          " + fault.what + " at " + place_text(volume.frame().to_world(fault.at)) + "\n";
+    if (faults.count(kind) == 0) continue;
+    out += text("FAULT     ", name_of(kind), ": ", faults.count(kind), "\n");
+    for (const Fault& fault : faults.first(kind)) {
+      out += "          " + fault.what + " at " + place_text(frame.to_world(fault.at)) + "\n";
     }
   }
-  if (!any) out += "faults    none\n";
-  return out;
+  return out.empty() ? "faults    none\n" : out;
 }
 
 void add_verification(ReportWriter& out, const Verification& v, const Grid& volume) {
@@ -208,8 +216,12 @@ void add_verification(ReportWriter& out, const Verification& v, const Grid& volu
   out.add("equal_components", v.equal_components, "of both, one to one, with equal topology");
   out.add("small_components", v.left_out,
           "components of the surface, missing as --min-component and --largest allow");
-  out.add("surface_tolerance_voxels", v.surface_tolerance / voxel,
-          "how far a vertex may be off the surface; voxels");
+  out.add("tolerance_voxels", v.tolerance / voxel,
+          "how far a vertex may be off the surface, and an end of the mesh off the box: from the "
+          "digits of the coordinates, or --tolerance; voxels");
+  out.add(
+      "vertices_off_as_allowed", v.off_as_allowed,
+      "vertices further off the surface, but within --max-distance, of a mesh that is not ours");
   out.add("max_off_surface_voxels", v.max_off_surface / voxel,
           "the largest distance of a vertex beyond that; 0: none; voxels");
   const SolidSummary solid = v.solid.value_or(SolidSummary());
@@ -217,9 +229,6 @@ void add_verification(ReportWriter& out, const Verification& v, const Grid& volu
     add_solid(out, solid.cap_vertices, solid.cap_triangles,
               world_volume(solid.volume, volume.frame()), solid.quality);
   }
-  out.optional(v.solid.has_value())
-      .add("caps_off_box_voxels", solid.off_box / voxel,
-           "the largest distance of a cap's corner from the box; voxels");
   out.optional(v.solid.has_value()).add("cap_close_places", solid.close_places, kCapClosePlaces);
   out.optional(v.solid.has_value())
       .add("cap_self_intersections", solid.self_intersections,
@@ -288,19 +297,23 @@ void add_verification(ReportWriter& out, const Verification& v, const Grid& volu
   out.add_seconds("delaunay", v.seconds_delaunay, "restricted Delaunay facets");
   out.add_seconds("distances", v.seconds_distances, "distances and criteria");
   out.close();
+  add_faults(out, v.faults, volume.frame());
+  out.close();
+}
+
+void add_faults(ReportWriter& out, const Faults& faults, const Frame& frame) {
   out.open("faults", "kinds of which there is one at least; none: the mesh is sound");
   for (std::size_t n = 0; n < kFaultKinds; ++n) {
     const auto kind = static_cast<FaultKind>(n);
-    if (!out.if_any(v.faults.count(kind) > 0)) continue;
+    if (!out.if_any(faults.count(kind) > 0)) continue;
     out.open(name_of(kind), "docs/guide/report.md");
-    out.add("count", v.faults.count(kind), "how many");
-    out.add_objects("first", "one of the first few", v.faults.first(kind), [&](const Fault& fault) {
+    out.add("count", faults.count(kind), "how many");
+    out.add_objects("first", "one of the first few", faults.first(kind), [&](const Fault& fault) {
       out.add("what", fault.what, "one line with ids");
-      out.add("at", volume.frame().to_world(fault.at), "where; world frame");
+      out.add("at", frame.to_world(fault.at), "where; world frame");
     });
     out.close();
   }
-  out.close();
   out.close();
 }
 

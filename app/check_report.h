@@ -2,6 +2,7 @@
 // A verification as text and as JSON, and its options from the command line.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "app/criteria_note.h"
 #include "app/input.h"
 #include "app/report_writer.h"
+#include "check/compare_meshes.h"
 #include "check/verify.h"
 #include "io/mesh/read_mesh.h"
 
@@ -19,7 +21,7 @@ namespace deliso {
 inline constexpr const char* kKeepDoubles =
     ".ply, .off, .obj, .vtp, .3mf, .smesh and .poly keep doubles, without --float";
 
-// Returns the options of a verification, with lengths in the scaled frame and position_error 0.
+// Returns the options of a verification, with lengths in the scaled frame and tolerance 0.
 // Both the check command and --check judge by `noted`, the criteria in the mesh's file, and require
 // that few triangles are over a limit if there are any. Limits given to the check command go before
 // these, and it requires a distance given.
@@ -40,12 +42,21 @@ struct CheckRun {
 CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const CommandLine& line,
                              const Input& input, std::function<void(double)> progress = {});
 
+// Returns "(x y z)".
+std::string place_text(const Vec3& p);
+// Give the faults, whose places are in this frame: aligned lines, and an object "faults".
+std::string faults_text(const Faults& faults, const Frame& frame);
+void add_faults(ReportWriter& out, const Faults& faults, const Frame& frame);
+
 // Returns aligned lines. Lengths are in voxels, places of faults in the
 // world.
 std::string verification_text(const Verification& v, const Grid& volume);
 
 // Adds an object "check".
 void add_verification(ReportWriter& out, const Verification& v, const Grid& volume);
+// Adds the members of the report on two meshes.
+void add_comparison(ReportWriter& out, const std::array<std::string, 2>& names,
+                    const MeshComparison& c);
 // Adds the members of the check command's report.
 void add_check(ReportWriter& out, std::string_view mesh, bool by_comments, const Input& input,
                const Verification& v);

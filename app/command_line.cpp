@@ -191,6 +191,20 @@ void check_streams(const CommandLine& line) {
   }
 }
 
+// The check command of two meshes knows no volume.
+void check_meshes(const CommandLine& line) {
+  constexpr std::string_view kAllowed[] = {"--max-distance", "--json", "--quiet", "--threads"};
+  for (const std::string& word : line.words) {
+    const std::string_view name = std::string_view(word).substr(0, word.find('='));
+    if (std::ranges::find(kAllowed, name) != std::end(kAllowed)) continue;
+    throw InputError(name, " means nothing between two meshes: it is about a volume");
+  }
+  if (line.given.limits[Criterion::distance] &&
+      line.options.limits[Criterion::distance].unit == Length::Unit::voxel) {
+    throw InputError("--max-distance in voxels means nothing between two meshes");
+  }
+}
+
 void check_page_name(const CommandLine& line) {
   if (line.output.empty()) throw InputError("no page named: -o FILE.html, or -o -");
   if (line.output != "-" && !line.output.ends_with(".html")) {
@@ -262,8 +276,14 @@ void check_join(CommandLine& line) {
 
 // Checks the conditions between options, after all are read.
 void check_combination(CommandLine& line) {
+  if (line.command == Command::check && has_mesh_ending(line.input)) {
+    line.meshes.push_back(std::exchange(line.input, {}));
+    check_streams(line);
+    return check_meshes(line);
+  }
   if (line.command == Command::check && !line.meshes.empty() && line.input.empty()) {
-    throw InputError("check needs a mesh and a volume: deliso check MESH INPUT --iso K");
+    throw InputError(
+        "check needs a mesh and a volume: deliso check MESH INPUT --iso K; or two meshes");
   }
   if (line.input.empty() && line.meshes.empty() && line.command != Command::join) {
     throw InputError("no input given; --help shows how");

@@ -88,6 +88,7 @@ struct CommandLine {
   bool check = false;
   double restricted_share = 0;  // the least that a check accepts
   bool triangulate = false;     // a check also counts Voronoi edges
+  Length tolerance;             // of a check, if larger than what the digits of the mesh give
   bool quiet = false;
   bool verbose = false;
   Diagnostics notes;  // of the options themselves

@@ -96,7 +96,7 @@ FacetColors color_facets(std::span<const TriMesh> meshes, std::span<const MeshNo
   const Volume& volume = input->volume();
   const bool of_distance = line.color_by == ColorBy::distance;
   const Values values = of_each(meshes, [&](TriMesh mesh) {
-    bring_home(mesh, volume.frame());
+    bring_home(mesh, volume);
     return of_distance ? distances_in_voxels(mesh, volume, *input->isovalue)
                        : gradient_sizes(mesh, volume);
   });

@@ -45,8 +45,9 @@ struct MeshRun {
   std::size_t close_at_caps = 0;  // with --cap: count_at_caps()
   double max_off_surface = 0;     // of vertices that --cap needs off the surface; scaled frame
   double volume = 0;              // if has_volume(): inside mesh and caps, in world units
-  // Of the mesh as it is in the file, and as it would be in double precision. Counted with --cap,
-  // if coordinates are rounded to float, and if the contour crossed itself in some voxel.
+  // Of the mesh as it is in the file, and as it would be in double precision, near the origin.
+  // Counted with --cap, if coordinates are rounded to float or far from the origin, and if the
+  // contour crossed itself in some voxel.
   PlaceFaults written, in_double;
   std::size_t mended = 0;  // vertices not at the nearest float, so that there are fewer faults
   std::optional<TriMesh> rounded;            // the mesh with these vertices, to be written

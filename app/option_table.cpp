@@ -130,6 +130,11 @@ constexpr OptionSpec kInputAndOutput[] = {
      "also triangulate the vertices, which takes as long as all else: restricted Delaunay facets "
      "that the mesh lacks, and Voronoi edges that meet the surface twice",
      [](Line& l, Text, Text) { l.triangulate = true; }},
+    {"--tolerance", 0, "X|Xvox", kCheckOnly,
+     "how far vertices may be off the surface, and the mesh's ends off the box, in world units or "
+     "in "
+     "voxels (default: what the digits of the mesh's coordinates give)",
+     [](Line& l, Text o, Text v) { l.tolerance = parse_length(o, v, Length::Unit::world); }},
     {"--allow-empty", 0, "", kMeshAndJoin, "an isovalue that gives no surface is no error",
      [](Line& l, Text, Text) { l.allow_empty = true; }},
     {"--roi", 0, "X0:X1,Y0:Y1,Z0:Z1", kVolume,
@@ -412,8 +417,10 @@ constexpr CommandSpec kCommandTable[] = {
      "curves in orange."},
     {Command::check, "check", "check MESH INPUT --iso K [options]",
      "Holds a mesh against the isosurface of a volume: validity, self-intersections, exact "
-     "topology, Delaunay triangles, distances both ways, shapes. Exit status: 0 no fault, 1 a "
-     "fault, 2 bad usage or input."},
+     "topology, Delaunay triangles, distances both ways, shapes. A second mesh in place of INPUT "
+     "is "
+     "compared with the first: validity and topology of each, distances both ways; --max-distance "
+     "makes larger ones a fault. Exit status: 0 no fault, 1 a fault, 2 bad usage or input."},
     {Command::render, "render", "render MESH [MESH ...] -o PICTURE.png [options]",
      "Draws a mesh, or several side by side, all seen by one camera: the side where the field is "
      "below the isovalue in blue, the other in orange, or numbers as colors."},
@@ -439,7 +446,7 @@ constexpr CommandSpec kCommandTable[] = {
 constexpr OtherNames kOtherNames[] = {{"--iso", "threshold level value contour"},
                                       {"--vertices", "decimate simplify reduce points"},
                                       {"--triangles", "faces facets target"},
-                                      {"--max-distance", "tolerance error hausdorff"},
+                                      {"--max-distance", "error hausdorff"},
                                       {"--max-radius", "edge-length cell-size resolution"},
                                       {"--lambda", "angle aspect-ratio"},
                                       {"--smooth", "gaussian sigma blur"},

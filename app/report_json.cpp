@@ -210,7 +210,8 @@ void add_mesh(ReportWriter& out, const MeshRun& run) {
            "with --label: enclosed by the mesh, if it is closed; world units, cubed");
   const PlaceFaults by_rounding = run.by_rounding();
   out.add("crossings_by_rounding", by_rounding.crossings,
-          "pairs of triangles that cross since coordinates are written in single precision");
+          "pairs of triangles that cross since coordinates are rounded in the file: in single "
+          "precision, or far from the origin");
   out.add("flat_by_rounding", by_rounding.flat, "triangles that have no area for this reason");
   out.add("coincident_by_rounding", by_rounding.coincident,
           "vertices that are where another one is for this reason");
@@ -365,6 +366,8 @@ std::string report_schema() {
   out.describe_report(
       "mesh", [&] { add_shared(out, SharedRun(line, source, {})); }, "with --label all --shared");
   out.describe_report("check", [&] { add_check(out, "", false, input, {}); });
+  out.describe_report(
+      "check", [&] { add_comparison(out, {}, {}); }, "of two meshes");
   out.describe_report("info", [&] { add_info(out, {input, {}, {}, {}, {}, 0, {}, 0, {}, 0}); });
   out.describe_report(
       "info", [&] { add_series(out, "", {}); }, "of a folder of several series");

@@ -224,8 +224,11 @@ std::string report_text(const MeshRun& run) {
                   " not at the nearest float, so that triangles keep apart\n");
   }
   if (run.by_rounding().count() > 0) {
-    lines += text("rounding  FAULT: single precision makes ", place_faults_text(run.by_rounding()),
-                  "; ", kKeepDoubles, "\n");
+    const bool single = writes_single_precision(run.line.write);
+    lines +=
+        text("rounding  FAULT: ", single ? "single" : "double", " precision makes ",
+             place_faults_text(run.by_rounding()), single ? "; " : ", so far from the origin: ",
+             single ? kKeepDoubles : "give --origin 0,0,0", "\n");
   }
   if (run.triangles > 0) {
     const double lambda = options.limits[Criterion::r_over_l].value;

@@ -22,6 +22,7 @@ int run_part(const CommandLine& line);    // of mesh, with --part
 int run_labels(const CommandLine& line);  // of mesh, with --label all
 int run_info(const CommandLine& line);
 int run_check(const CommandLine& line);
+int run_compare(const CommandLine& line);  // of check, of two meshes
 int run_render(const CommandLine& line);
 // Draws the meshes, which the line's names are of, into its output. Returns a line about it. Adds
 // to `told` what the reader of the line's volume tells.

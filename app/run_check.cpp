@@ -22,7 +22,7 @@ Verification verify_in_world(TriMesh mesh, const MeshNotes& notes, const Command
   const Volume& volume = input.volume();
   VerifyOptions options = verify_options(line, volume, noted_criteria(notes.comments));
   options.progress = std::move(progress);
-  options.position_error = notes.rounding + bring_home(mesh, volume.frame());
+  options.tolerance = bring_home(mesh, volume, notes.rounding, line.tolerance.in(volume));
   return verify(mesh, volume, geometric_isovalue(volume.type(), *input.isovalue), options);
 }
 
@@ -30,7 +30,7 @@ CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const Command
                              const Input& input, std::function<void(double)> progress) {
   CheckRun run;
   run.by_comments = !line.paper && noted_criteria(notes.comments);
-  run.is_single = notes.rounding > 0 || is_single_precision(mesh);
+  run.is_single = notes.rounding > 0 || digits_of(mesh.points).is_single;
   run.verification = verify_in_world(std::move(mesh), notes, line, input, std::move(progress));
 
   ReportWriter out("check");
@@ -40,6 +40,7 @@ CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const Command
 }
 
 int run_check(const CommandLine& line) {
+  if (line.meshes.size() > 1) return run_compare(line);
   MeshNotes notes;
   TriMesh mesh = read_mesh(line.meshes.front(), &notes);
   Input input = read_input(line, line.meshes);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -161,17 +162,27 @@ TriMesh rounded_mesh(const TriMesh& mesh, const CommandLine& line) {
   return rounded;
 }
 
-// Counts faults of the points as the file will have them: single precision and turned axes round
-// them, caps may cross the surface, and so may triangles of a contour that crossed itself. No other
-// step makes triangles cross (docs/proof.md, Corollary 7.1), so no other mesh is searched. If there
-// are some, counts those of the doubles too, to see whether rounding is the cause, and tries
-// another rounding. Returns a mesh to write in place of `mesh`, if that helps.
+// True if the volume is so far from the origin that doubles there lie further from each other than
+// a thousandth of what the mesh keeps apart.
+bool is_far(const Grid& volume) {
+  constexpr double kMostOfNear = 1e-3;
+  const double largest = length(volume.frame().origin) + length(volume.box().hi);
+  return largest * std::numeric_limits<double>::epsilon() > kMostOfNear * near_distance(volume);
+}
+
+// Counts faults of the points as the file will have them: single precision rounds them, and so do
+// doubles far from the origin; caps may cross the surface, and so may triangles of a contour that
+// crossed itself. No other step makes triangles cross (docs/proof.md, Corollary 7.1), so no other
+// mesh is searched. If there are some, counts those of the doubles too (far from the origin of the
+// mesh at home), to see whether rounding is the cause, and tries another rounding to floats.
+// Returns a mesh to write in place of `mesh`, if that helps.
 std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run) {
   const CommandLine& line = run.line;
   const bool is_written = !line.output.empty();
   const bool is_single = is_written && writes_single_precision(line.write);
   const bool may_cross = run.report[Counter::voxels_crossed] > 0;
-  if (!run.has_solid() && !is_single && !may_cross) return std::nullopt;
+  const bool is_coarse = is_written && !is_single && is_far(run.input.grid());
+  if (!run.has_solid() && !is_single && !is_coarse && !may_cross) return std::nullopt;
   const std::vector<Triangle> triangles = mesh.triangles();
   const auto find = [&](const std::vector<Vec3>& points) {
     return find_place_faults(points, triangles, line.options.threads);
@@ -182,6 +193,7 @@ std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run)
     warn_of_rounding(points, run.report.max_distance, run.input.grid(), run.notes);
   }
   run.written = run.in_double = find(points);
+  if (is_coarse && run.written.count() > 0) run.in_double = find(mesh.points);
   if (!is_single || run.written.count() == 0) return std::nullopt;
   run.in_double = find(written_points(mesh, {.format = MeshFormat::ply}));
   if (run.by_rounding().count() == 0) return std::nullopt;

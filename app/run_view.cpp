@@ -102,7 +102,7 @@ int run_view(const CommandLine& line) {
     sizes += (n == 0 ? "" : " | ") + counted(mesh.faces.size(), "triangle");
     add_mesh(data, mesh, middle, n);
     if (input) {
-      bring_home(mesh, input->grid().frame());
+      bring_home(mesh, input->grid());
       data.add(text("h", n),
                as_floats(distances_in_voxels(mesh, input->volume(), *input->isovalue)));
     }

@@ -21,7 +21,7 @@ namespace {
 std::vector<std::string> cells_of(const PublishedRuns& runs, const Volume& volume,
                                   const ContourMesh& contour) {
   Faults faults;
-  const CleanMesh mesh = check_validity(runs.mesh, volume.box(), 0, MayEnd::on_box, faults);
+  const CleanMesh mesh = check_validity(runs.mesh, volume.box(), MayEnd::on_box, faults);
   const Isosurface surface(volume, runs.last().kappa);
   const VoronoiEdges edges = count_voronoi_edges(mesh, surface);
   const std::size_t triangles = mesh.triangles.size();

@@ -45,7 +45,7 @@ std::vector<FaceAreas> areas_of(const ContourMesh& contour) {
 // Returns the axis of the only edge of the box that p lies on, -1 if there is none. Next to a
 // sample the derivative along the edge is not known, so -1 there too.
 int edge_axis(const Vec3& p, const Volume& volume, double tolerance) {
-  const unsigned faces = box_faces_at(p, volume.box(), tolerance);
+  const unsigned faces = box_faces_at(p, volume.box());
   if (std::popcount(faces) != 2) return -1;
   int axis = 0;
   while ((faces >> (2 * axis) & 3) != 0) ++axis;
@@ -93,7 +93,7 @@ std::vector<double> boundary_orientations(const CleanMesh& mesh,
   for (const CleanMesh::End& end : mesh.ends) {
     const std::uint32_t m = mesh.component[end.from];
     const Vec3 &from = mesh.points[end.from], &to = mesh.points[end.to];
-    const unsigned faces = box_faces_at(from, box, tolerance) & box_faces_at(to, box, tolerance);
+    const unsigned faces = box_faces_at(from, box) & box_faces_at(to, box);
     if (!std::has_single_bit(faces)) continue;
     const int face = std::countr_zero(faces);
     areas[m].add(face, from, to);

@@ -12,8 +12,8 @@
 namespace deliso {
 
 // Returns per component of the mesh a number whose sign is that of its orientation: negative if it
-// is reversed, 0 if its boundary does not tell. `stands_for`: its component of T, or kNoId. A
-// vertex within `tolerance` of a face of the box counts as on it.
+// is reversed, 0 if its boundary does not tell. `stands_for`: its component of T, or kNoId.
+// `tolerance`: of vertices on Sigma.
 //
 // Where a boundary passes from one face of the box to another, g grows along the edge of the box
 // towards the side of the boundary that is inside. A boundary that never passes an edge of the box

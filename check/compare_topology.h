@@ -39,7 +39,7 @@ struct ComparedComponents {
 //
 // Components that are not chosen may be missing. A component is reversed by its boundary
 // (check/boundary_orientation.h). If that does not tell, by the sign of the volume that it bounds
-// (check/bounded_volume.h). A vertex within `tolerance` of a face of the box is on it.
+// (check/bounded_volume.h). `tolerance`: of vertices on Sigma.
 ComparedComponents compare_components(const CleanMesh& mesh, const ExactSurface& exact,
                                       double tolerance, const ComponentChoice& choice, int threads,
                                       Faults& faults);

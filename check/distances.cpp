@@ -95,9 +95,7 @@ Distances summarize(std::vector<double> values, const CleanMesh& mesh, const Dis
 double distance_to_curve(const Vec3& a, const Vec3& b, const Isosurface& surface) {
   const Box3 box = surface.volume().box();
   double nearest = kInfinity;
-  // Meshes from files may be off the planes by rounding.
-  const double slack = 1e-6 * box.smallest_side();
-  const unsigned faces = box_faces_at(a, box, slack) & box_faces_at(b, box, slack);
+  const unsigned faces = box_faces_at(a, box) & box_faces_at(b, box);
   for (int face = 0; face < 6; ++face) {
     if ((faces >> face & 1) == 0) continue;
     const auto x =
@@ -242,12 +240,7 @@ double distance_off_surface(const Vec3& p, const Isosurface& surface, double tol
   const auto [least, most] = std::minmax_element(corners.begin(), corners.end());
   const double difference = std::fabs(volume.value(p) - surface.kappa());
   const Vec3 gradient = surface.gradient(p);
-  const Box3 box = volume.box();
-  bool near_box = true;
-  for (int axis = 0; axis < 3; ++axis) {
-    near_box &= p[axis] >= box.lo[axis] - tolerance && p[axis] <= box.hi[axis] + tolerance;
-  }
-  if (near_box &&
+  if (volume.box().contains(p) &&
       (difference <= 1e-9 * (*most - *least) || difference <= tolerance * length(gradient))) {
     return 0;
   }

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/sorted_list.h"
+#include "base/text.h"
 #include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
 
@@ -119,6 +120,31 @@ class Search {
 Crossings find_crossings(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                          const TriangleTree& tree, int threads) {
   return Search(points, triangles, tree, threads).run();
+}
+
+std::vector<std::pair<FaceId, FaceId>> report_self_intersections(const TriMesh& mesh,
+                                                                 const CleanMesh& clean,
+                                                                 int threads, Faults& faults) {
+  const TriangleTree tree(clean.points, clean.triangles, threads);
+  Crossings found = find_crossings(clean.points, clean.triangles, tree, threads);
+  for (auto& pair : found.pairs) {
+    pair = {clean.id[pair.first], clean.id[pair.second]};
+    faults.add(
+        FaultKind::self_intersections,
+        [&] {
+          return name_of_triangle(mesh, pair.first) + " meets " +
+                 name_of_triangle(mesh, pair.second);
+        },
+        middle_of(mesh, pair.first));
+  }
+  if (!found.given_up.empty()) {
+    const FaceId f = clean.id[found.given_up[0]];
+    faults.add(FaultKind::not_measured,
+               text("crossings of ", found.given_up.size(), " triangles, such as ",
+                    name_of_triangle(mesh, f), ": too many lie across each other"),
+               middle_of(mesh, f));
+  }
+  return std::move(found.pairs);
 }
 
 }  // namespace deliso

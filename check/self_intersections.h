@@ -12,7 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "check/faults.h"
 #include "check/triangle_tree.h"
+#include "check/validity.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso {
@@ -37,5 +39,10 @@ inline constexpr std::size_t kBoxesShared = 1u << 26, kTestsShared = 1u << 23,
 // pre: the tree is that of these triangles; different ids have different positions.
 Crossings find_crossings(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                          const TriangleTree& tree, int threads = 1);
+
+// Reports the crossings of a mesh as faults. Returns the pairs by their ids in the mesh.
+std::vector<std::pair<FaceId, FaceId>> report_self_intersections(const TriMesh& mesh,
+                                                                 const CleanMesh& clean,
+                                                                 int threads, Faults& faults);
 
 }  // namespace deliso

@@ -18,12 +18,10 @@ struct SolidParts {
   TriMesh caps;
   std::vector<bool> is_cap;  // per triangle of the mesh
   double volume = 0;         // enclosed by all triangles; negative if they face inwards
-  double off_box = 0;        // the largest distance of a cap's corner from the plane of its face
 };
 
-// Splits a solid into surface and caps. A vertex within `tolerance` of the box counts as on it.
-// Reports caps that face into the box, and a mesh whose volume is not positive, into `faults`. pre:
-// coordinates are finite.
-SolidParts split_solid(const TriMesh& mesh, const Box3& box, double tolerance, Faults& faults);
+// Splits a solid into surface and caps. Reports caps that face into the box, and a mesh whose
+// volume is not positive, into `faults`. pre: coordinates are finite.
+SolidParts split_solid(const TriMesh& mesh, const Box3& box, Faults& faults);
 
 }  // namespace deliso

@@ -85,8 +85,7 @@ void keep_good_triangles(const TriMesh& mesh, const std::vector<VertexId>& first
   }
 }
 
-void check_edges(CleanMesh& mesh, const Box3& box, double tolerance, MayEnd may_end,
-                 Faults& faults) {
+void check_edges(CleanMesh& mesh, const Box3& box, MayEnd may_end, Faults& faults) {
   constexpr std::size_t kNamed = 8;  // triangles of one edge
   for_each_edge(mesh.uses, [&](std::span<const EdgeUse> edge) {
     const VertexId lo = edge[0].lo, hi = edge[0].hi;
@@ -113,7 +112,7 @@ void check_edges(CleanMesh& mesh, const Box3& box, double tolerance, MayEnd may_
       report(FaultKind::orientation, "runs the same way in triangles");
     } else if (edge.size() == 1 && may_end == MayEnd::nowhere) {
       report(FaultKind::holes, "of the solid is only of triangle");
-    } else if (edge.size() == 1 && !on_one_face(p, q, box, tolerance)) {
+    } else if (edge.size() == 1 && may_end == MayEnd::on_box && !on_one_face(p, q, box)) {
       report(FaultKind::holes, "inside the box is only of triangle");
     }
     return true;
@@ -154,8 +153,7 @@ void check_vertices(CleanMesh& mesh, Faults& faults) {
 
 }  // namespace
 
-CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance, MayEnd may_end,
-                         Faults& faults) {
+CleanMesh check_validity(const TriMesh& mesh, const Box3& box, MayEnd may_end, Faults& faults) {
   CleanMesh out;
   out.points = mesh.points;
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
@@ -177,9 +175,23 @@ CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance,
   out.component = vertex_components(out.points.size(), out.triangles);
   out.topology = mesh_topology(out.points, out.triangles, out.uses, out.component);
   out.broken.assign(out.topology.components.size(), 0);
-  check_edges(out, box, tolerance, may_end, faults);
+  check_edges(out, box, may_end, faults);
   check_vertices(out, faults);
   return out;
+}
+
+std::string name_of_triangle(const TriMesh& mesh, FaceId f) {
+  const Triangle& t = mesh.faces[f].v;
+  return text("triangle ", f, " (", t[0], " ", t[1], " ", t[2], ")");
+}
+
+Vec3 middle_of(const TriMesh& mesh, FaceId f) {
+  const Triangle& t = mesh.faces[f].v;
+  return (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
+}
+
+TopologyCounts counts_of(const TriMesh& mesh, const CleanMesh& clean) {
+  return clean.as_given ? clean.topology.counts() : mesh_topology(mesh).counts();
 }
 
 }  // namespace deliso

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/box3.h"
+#include "base/topology_counts.h"
 #include "check/check_mesh.h"
 #include "check/faults.h"
 #include "mesh/incidence.h"
@@ -37,11 +39,16 @@ struct CleanMesh {
 };
 
 // Where triangles may have edges that no other triangle shares.
-enum class MayEnd : std::uint8_t { on_box, nowhere };
+enum class MayEnd : std::uint8_t { on_box, nowhere, anywhere };
 
-// Returns the clean mesh and reports its faults. A vertex within `tolerance` of the box counts as
-// on it. pre: `faults` is empty.
-CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance, MayEnd may_end,
-                         Faults& faults);
+// Returns the clean mesh and reports its faults. pre: `faults` is empty.
+CleanMesh check_validity(const TriMesh& mesh, const Box3& box, MayEnd may_end, Faults& faults);
+
+// Returns the counts of the mesh as it was given.
+TopologyCounts counts_of(const TriMesh& mesh, const CleanMesh& clean);
+
+// Return a triangle's words in a fault, and its place.
+std::string name_of_triangle(const TriMesh& mesh, FaceId f);
+Vec3 middle_of(const TriMesh& mesh, FaceId f);
 
 }  // namespace deliso

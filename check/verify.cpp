@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/parallel.h"
 #include "base/stopwatch.h"
@@ -11,6 +12,7 @@
 #include "base/triangle.h"
 #include "check/close_places.h"
 #include "check/compare_topology.h"
+#include "check/lattice.h"
 #include "check/self_intersections.h"
 #include "check/solid.h"
 #include "check/triangle_tree.h"
@@ -27,8 +29,8 @@ namespace {
 // have one at a crease.
 constexpr std::size_t kFewOverLimit = 2;
 
-// How far a vertex may be from Sigma, besides its rounding.
-constexpr double kSurfaceToleranceVoxels = 1e-6;
+// The least tolerance.
+constexpr double kToleranceVoxels = 1e-6;
 
 // The bound for points of Sigma is this multiple of the bound for points of the mesh.
 constexpr double kFromSurfaceFactor = 2;
@@ -36,47 +38,6 @@ constexpr double kFromSurfaceFactor = 2;
 // Returns how far Sigma is searched for.
 double search_limit(const Volume& volume) {
   return kSearchDiagonals * length(volume.spacing());
-}
-
-std::string name_of_triangle(const TriMesh& mesh, FaceId f) {
-  const Triangle& t = mesh.faces[f].v;
-  return text("triangle ", f, " (", t[0], " ", t[1], " ", t[2], ")");
-}
-
-Vec3 middle_of(const TriMesh& mesh, FaceId f) {
-  const Triangle& t = mesh.faces[f].v;
-  return (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
-}
-
-// Returns the counts of the mesh as it was given.
-TopologyCounts counts_of(const TriMesh& mesh, const CleanMesh& clean) {
-  return clean.as_given ? clean.topology.counts() : mesh_topology(mesh).counts();
-}
-
-// Pairs of triangles, by their ids in the mesh.
-using Pairs = std::vector<std::pair<FaceId, FaceId>>;
-
-Pairs report_self_intersections(const TriMesh& mesh, const CleanMesh& clean,
-                                const TriangleTree& tree, int threads, Faults& faults) {
-  Crossings found = find_crossings(clean.points, clean.triangles, tree, threads);
-  for (auto& pair : found.pairs) {
-    pair = {clean.id[pair.first], clean.id[pair.second]};
-    faults.add(
-        FaultKind::self_intersections,
-        [&] {
-          return name_of_triangle(mesh, pair.first) + " meets " +
-                 name_of_triangle(mesh, pair.second);
-        },
-        middle_of(mesh, pair.first));
-  }
-  if (!found.given_up.empty()) {
-    const FaceId f = clean.id[found.given_up[0]];
-    faults.add(FaultKind::not_measured,
-               text("crossings of ", found.given_up.size(), " triangles, such as ",
-                    name_of_triangle(mesh, f), ": too many lie across each other"),
-               middle_of(mesh, f));
-  }
-  return std::move(found.pairs);
 }
 
 void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const VertexGrids& grids,
@@ -158,25 +119,24 @@ NearContour contour_near(const Vec3& p, double distance, double shortest,
 
 // Checks that vertices lie on Sigma, and on the component that their triangles stand for; except
 // those of extra components. Returns which vertices lie on Sigma.
-std::vector<std::uint8_t> check_vertices_on_surface(const CleanMesh& mesh,
-                                                    const ComparedComponents& compared,
-                                                    const TriangleTree& tree,
-                                                    const ExactSurface& exact, int threads,
-                                                    Verification& result) {
+std::vector<std::uint8_t> check_vertices_on_surface(
+    const CleanMesh& mesh, const ComparedComponents& compared, const TriangleTree& tree,
+    const ExactSurface& exact, const VerifyOptions& options, Verification& result) {
   const Isosurface& surface = exact.surface;
   const double voxel = surface.volume().voxel();
   const double least = near_distance(surface.volume());
   const double apart = kApartVoxels * voxel;
+  const double search = std::max(4 * voxel, 2 * options.allowed_off_surface);
   std::vector<double> off(mesh.points.size(), 0);
   std::vector<std::uint8_t> on_surface(off.size(), 0);
   std::vector<std::uint32_t> elsewhere(off.size(),
                                        kNoId);  // another component that the vertex is on
-  for_each_run(threads, off.size(), 1u << 11, [&](std::size_t begin, std::size_t end) {
+  for_each_run(options.threads, off.size(), 1u << 11, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const Vec3& p = mesh.points[v];
       const std::uint32_t m = mesh.component[v];
       if (m == kNoId || compared.match[m] == kNoId) continue;
-      off[v] = distance_off_surface(p, surface, result.surface_tolerance, 4 * voxel);
+      off[v] = distance_off_surface(p, surface, result.tolerance, search);
       if (off[v] != 0) {
         const NearContour near = contour_near(p, apart, least, exact);
         const bool may_leave =
@@ -205,6 +165,10 @@ std::vector<std::uint8_t> check_vertices_on_surface(const CleanMesh& mesh,
     }
     if (off[v] == 0) continue;
     result.max_off_surface = std::max(result.max_off_surface, off[v]);
+    if (off[v] <= options.allowed_off_surface) {
+      ++result.off_as_allowed;
+      continue;
+    }
     result.faults.add(
         FaultKind::vertices_off_surface,
         [&] { return text("vertex ", v, " is ", off[v] / voxel, " voxels from the surface"); },
@@ -274,15 +238,15 @@ std::vector<Vec3> compare_topology(const CleanMesh& mesh, const TriangleTree& tr
                                    Verification& result) {
   const Volume& volume = surface.volume();
   ContourMesh contour = build_contour(volume, surface.kappa());
-  const VoxelComponents voxels(contour, volume, result.surface_tolerance);
+  const VoxelComponents voxels(contour, volume, result.tolerance);
   const ExactSurface exact{surface, contour, voxels};
   const ComparedComponents compared = compare_components(
-      mesh, exact, options.position_error, options.components, options.threads, result.faults);
+      mesh, exact, result.tolerance, options.components, options.threads, result.faults);
   result.exact = contour.summary.topology();
   result.equal_components = compared.equal;
   result.left_out = static_cast<std::uint64_t>(std::ranges::count(compared.kept, 0));
   const std::vector<std::uint8_t> on_surface =
-      check_vertices_on_surface(mesh, compared, tree, exact, options.threads, result);
+      check_vertices_on_surface(mesh, compared, tree, exact, options, result);
   if (options.most_over_limit < 1) {
     check_triangles_on_surface(mesh, off, on_surface, exact, result);
   }
@@ -351,10 +315,9 @@ void hold_to_limits(const CleanMesh& mesh, const std::vector<double>& heights,
 // `is_cap`, per triangle of the mesh.
 CleanMesh extract_surface(const TriMesh& mesh, const Box3& box, const VerifyOptions& options,
                           std::vector<bool>& is_cap, Verification& result) {
-  SolidParts parts = split_solid(mesh, box, options.position_error, result.faults);
+  SolidParts parts = split_solid(mesh, box, result.faults);
   Faults of_surface;
-  CleanMesh clean =
-      check_validity(parts.surface, box, options.position_error, MayEnd::on_box, of_surface);
+  CleanMesh clean = check_validity(parts.surface, box, MayEnd::on_box, of_surface);
   // Faults that the surface has but not the whole: it touches itself at the box.
   const auto kind = FaultKind::non_manifold_vertices;
   if (result.faults.count(kind) == 0) {
@@ -374,7 +337,6 @@ CleanMesh extract_surface(const TriMesh& mesh, const Box3& box, const VerifyOpti
   summary.cap_vertices = static_cast<std::size_t>(std::count(use.begin(), use.end(), 1));
   summary.cap_triangles = parts.caps.faces.size();
   summary.volume = parts.volume;
-  summary.off_box = parts.off_box;
   summary.quality = measure_quality(parts.caps, options.limits[Criterion::r_over_l], 0);
   result.solid = summary;
   result.quality =
@@ -412,12 +374,12 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.limits = options.limits;
   result.vertices = mesh.points.size();
   result.triangles = mesh.faces.size();
-  result.surface_tolerance = kSurfaceToleranceVoxels * voxel + 2 * options.position_error;
+  result.tolerance = std::max(kToleranceVoxels * voxel, options.tolerance);
   const int threads = options.threads;
   Stopwatch watch;
 
-  const CleanMesh whole = check_validity(mesh, volume.box(), options.position_error,
-                                         options.solid ? MayEnd::nowhere : MayEnd::on_box, faults);
+  CleanMesh whole =
+      check_validity(mesh, volume.box(), options.solid ? MayEnd::nowhere : MayEnd::on_box, faults);
   std::optional<CleanMesh> surface_part;
   std::vector<bool> is_cap;
   if (options.solid) {
@@ -431,11 +393,11 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
 
   const Isosurface surface(volume, kappa);
   const double bound = options.limits[Criterion::distance], r_min = options.limits.r_min;
-  const TriangleTree whole_tree(whole.points, whole.triangles, threads);
-  const Pairs intersections = report_self_intersections(mesh, whole, whole_tree, threads, faults);
-  std::optional<TriangleTree> surface_tree;
+  const auto intersections = report_self_intersections(mesh, whole, threads, faults);
+  // Up to here the points as given tell. What follows is measured.
+  whole.points = on_lattice(volume, std::move(whole.points));
+  if (surface_part) surface_part->points = whole.points;
   if (options.solid) {
-    surface_tree.emplace(clean.points, clean.triangles, threads);
     for (const auto& [f, g] : intersections) {
       result.solid->self_intersections += is_cap[f] || is_cap[g];
     }
@@ -449,7 +411,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   } else {
     result.quality = measure_quality(mesh, options.limits[Criterion::r_over_l], r_min);
   }
-  const TriangleTree& tree = surface_tree ? *surface_tree : whole_tree;
+  const TriangleTree tree(clean.points, clean.triangles, threads);
   std::vector<double> heights;
   {
     const VertexGrids grids(clean.points, clean.triangles);
@@ -473,7 +435,10 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.seconds_distances += watch.restart();
   check_share(mesh, clean, options.restricted_share, result);
   if (options.triangulate) {
-    result.voronoi = count_voronoi_edges(clean, surface, threads);
+    CleanMesh given = clean;
+    given.points = mesh.points;
+    for (Vec3& p : given.points) p = is_finite(p) ? p : Vec3{};
+    result.voronoi = count_voronoi_edges(given, surface, threads);
   }
   result.seconds_delaunay += watch.restart();
   if (result.from_surface.given_up > 0) {

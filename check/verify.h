@@ -37,8 +37,13 @@
 namespace deliso {
 
 struct VerifyOptions {
-  ComponentChoice components;   // other components of the contour may be missing
-  double position_error = 0;    // rounding of the vertices; scaled frame
+  ComponentChoice components;  // other components of the contour may be missing
+  // How far a vertex may be from Sigma, if that is more than a millionth of a voxel
+  // (app/bring_home.h); scaled frame. On the box is a vertex only exactly.
+  double tolerance = 0;
+  // Vertices as far off Sigma are counted, but are no fault: those of a mesh that does not claim to
+  // lie on it. 0: there are none.
+  double allowed_off_surface = 0;
   double restricted_share = 0;  // the least share of restricted Delaunay facets that is no fault
   // The limits on triangles, with h from the circumcenter to Sigma. Triangles over a limit are
   // counted. Also counted are points of the mesh further than max_distance from
@@ -60,7 +65,6 @@ struct SolidSummary {
   std::size_t cap_triangles = 0;
   double volume = 0;
   std::size_t self_intersections = 0;  // pairs of triangles with at least one of the caps
-  double off_box = 0;                  // the largest distance of a cap's corner from the box
   MeshQuality quality;                 // of the caps
   std::size_t close_places = 0;        // count_at_caps(): no faults
 };
@@ -72,8 +76,9 @@ struct Verification {
   TopologyCounts mesh, exact;
   std::uint64_t equal_components = 0;  // of both, one to one, with equal topology
   std::uint64_t left_out = 0;          // components of the contour, missing as allowed
-  double surface_tolerance = 0;        // scaled frame
-  double max_off_surface = 0;          // of the vertices beyond it
+  double tolerance = 0;                // scaled frame
+  std::size_t off_as_allowed = 0;      // vertices off Sigma by more, as the options allow
+  double max_off_surface = 0;          // of the vertices beyond the tolerance
   DelaunayShare delaunay;
   std::optional<VoronoiEdges> voronoi;  // as asked for
   Distances to_surface;                 // from points of the triangles

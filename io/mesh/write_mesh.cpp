@@ -45,16 +45,20 @@ std::string clean_name(std::string_view name) {
   return result;
 }
 
+bool has_ending_of(std::string_view path, MeshFormat format) {
+  const std::string_view ending = kFormats[static_cast<std::size_t>(format)].ending;
+  return path.size() > ending.size() && lower(path).ends_with(ending);
+}
+
 // `accepts(format)`: whether an ending will do.
 template <class Accepts>
 MeshFormat format_of(std::string_view path, const char* what, Accepts accepts) {
   std::string known;
   for (std::size_t n = 0; n < std::size(kFormats); ++n) {
     const auto format = static_cast<MeshFormat>(n);
-    const std::string_view ending = kFormats[n].ending;
     if (!accepts(format)) continue;
-    if (path.size() > ending.size() && lower(path).ends_with(ending)) return format;
-    known += text(known.empty() ? "" : ", ", ending);
+    if (has_ending_of(path, format)) return format;
+    known += text(known.empty() ? "" : ", ", kFormats[n].ending);
   }
   throw InputError("'", path, "' has no ", what, " ending (", known, ")");
 }
@@ -67,6 +71,14 @@ MeshFormat mesh_format_of(std::string_view path) {
 
 MeshFormat readable_format_of(std::string_view path) {
   return format_of(path, "readable mesh format's", is_read);
+}
+
+bool has_mesh_ending(std::string_view path) {
+  for (std::size_t n = 0; n < std::size(kFormats); ++n) {
+    const auto format = static_cast<MeshFormat>(n);
+    if (is_read(format) && has_ending_of(path, format)) return true;
+  }
+  return false;
 }
 
 bool writes_single_precision(const MeshWriteOptions& options) {

@@ -58,6 +58,8 @@ constexpr bool holds_attributes(MeshFormat format) {
 MeshFormat mesh_format_of(std::string_view path);
 // The same for formats that are read.
 MeshFormat readable_format_of(std::string_view path);
+// True if the path has the ending of a format that is read.
+bool has_mesh_ending(std::string_view path);
 
 // Values of vertices and facets, in the order of the mesh. PLY and VTP hold them as they are. glTF
 // has no values of facets: a vertex gets the component of its facets and their largest distance,

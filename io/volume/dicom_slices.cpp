@@ -192,7 +192,8 @@ std::vector<DicomSlice> sorted_slices(const VolumeInput& input,
     return std::pair(are_numbered ? slice.plane().instance_number() : std::nullopt,
                      with_long_numbers(slice.file->name()));
   });
-  input.warn("slices-by-order", "has no positions of its slices: they are read in the order of their ",
+  input.warn("slices-by-order",
+             "has no positions of its slices: they are read in the order of their ",
              are_numbered ? "InstanceNumber" : "files' names");
   place(slices, PlacedBy::order, input, undirected);
   return slices;
@@ -206,8 +207,8 @@ void find_missing_slices(const VolumeInput& input, const std::vector<DicomSlice>
     for (end = begin; end < gaps.size() && gaps[end] > kWideGap * usual;) ++end;
     if (begin == end || end - begin >= kWideGapsInRow) continue;
     const DicomSlice &here = slices[begin + 1], &before = slices[begin];
-    input.warn("slices-missing", "slices seem to be missing between ", name_beside(here, before), " and ",
-               name_beside(before, here), ", which lie ", rounded_length(gaps[begin]),
+    input.warn("slices-missing", "slices seem to be missing between ", name_beside(here, before),
+               " and ", name_beside(before, here), ", which lie ", rounded_length(gaps[begin]),
                " apart, where others have ", rounded_length(usual),
                ": the mesh has nothing of what they show");
   }
@@ -258,12 +259,14 @@ void set_step(DicomStack& stack, const VolumeInput& input) {
   const double step = length(grid.steps[2]);
   if (worst <= kUnevenSteps * step) return;
   if (input.options.spacing) {
-    input.note("slices-off-steps", "slices lie up to ", rounded_length(worst), " from even steps of ",
-               rounded_length(step), ", and are read as even, by --spacing");
+    input.note("slices-off-steps", "slices lie up to ", rounded_length(worst),
+               " from even steps of ", rounded_length(step),
+               ", and are read as even, by --spacing");
     return;
   }
   const auto [least, most] = std::ranges::minmax(gaps);
-  input.note("slices-uneven", "slices are uneven, from ", rounded_length(least), " to ", rounded_length(most),
+  input.note("slices-uneven", "slices are uneven, from ", rounded_length(least), " to ",
+             rounded_length(most),
              " apart, and stay so: a voxel is as long as the distance of its slices");
   const double upright = step * count / length(whole);
   for (const double place : places) grid.places[2].push_back(place * upright);

@@ -111,11 +111,14 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
 }
 
 void note_place(const VolumeInput& input) {
-  if (input.options.spacing) input.note("spacing-given", "the spacing is that of --spacing, whatever the file says");
+  if (input.options.spacing)
+    input.note("spacing-given", "the spacing is that of --spacing, whatever the file says");
   if (input.options.coordinates != Coordinates()) {
-    input.note("coordinates-given", "the coordinates are those of --coordinates, whatever the file says");
+    input.note("coordinates-given",
+               "the coordinates are those of --coordinates, whatever the file says");
   }
-  if (input.options.origin) input.note("origin-given", "the origin is that of --origin, whatever the file says");
+  if (input.options.origin)
+    input.note("origin-given", "the origin is that of --origin, whatever the file says");
 }
 
 std::vector<NamedSegment> read_segments(const std::string& path) {

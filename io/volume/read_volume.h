@@ -27,8 +27,8 @@
 // 3. Coordinates are those of the file, in its own unit and, unless the options turn them, its own
 //    anatomical space. Frame::space has the space: RAS+ for NIfTI, LPS+ for MetaImage and DICOM,
 //    the field "space" for NRRD. Samples are never resampled: slices at uneven distances, with one
-//    missing, or shifted by a tilted gantry, make a grid that has them where the file says. NIfTI's meters and micrometers become millimeters, which the unit
-//    is in these spaces.
+//    missing, or shifted by a tilted gantry, make a grid that has them where the file says. NIfTI's
+//    meters and micrometers become millimeters, which the unit is in these spaces.
 // 4. Refused with a message, never guessed:
 //    - 64-bit integers that float64 does not hold, if they are no labels; complex samples, several
 //      components;

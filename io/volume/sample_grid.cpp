@@ -223,9 +223,10 @@ Bytes data_behind(const SampleGrid& grid, const Bytes& data, std::int64_t skip, 
 Grid grid_of_volume(const SampleGrid& grid) {
   const Grid whole = whole_grid(grid);
   if (const auto shear = shear_of(whole.frame()); shear && grid.log) {
-    add_note(grid.log->notes, "sheared-grid", grid.name, "sheared grid", *shear,
-             ": its mesh has the right shape, but D, angles and filters are measured as if the axes "
-             "were at right angles");
+    add_note(
+        grid.log->notes, "sheared-grid", grid.name, "sheared grid", *shear,
+        ": its mesh has the right shape, but D, angles and filters are measured as if the axes "
+        "were at right angles");
   }
   if (!has_directions(grid) && grid.log) {
     add_warning(grid.log->notes, "axis-without-direction", grid.name,

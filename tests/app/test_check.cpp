@@ -6,14 +6,18 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "app/parsed_line.h"
 #include "app/run.h"
+#include "base/check.h"
 #include "base/random.h"
 #include "io/files/json_value.h"
 #include "io/files/temporary_folder.h"
+#include "io/mesh/read_mesh.h"
+#include "io/mesh/write_mesh.h"
 
 using namespace deliso;
 using namespace deliso::test;
@@ -89,6 +93,73 @@ TEST_CASE("--check finds the faults that the check command finds in the file") {
     with_fault += made.status != 0;
   }
   CHECK(with_fault == 3);
+}
+
+// A mesh of another program: no comment, and vertices off the surface.
+TEST_CASE(
+    "vertices off the surface are no fault of another program's mesh if a distance is asked for") {
+  const TemporaryFolder folder;
+  const std::string ours = folder / "ours.ply", field = " builtin:torus:24";
+  REQUIRE(run_mesh(parsed(field.substr(1) + " --quiet -o " + ours)) == kExitSuccess);
+  Random random(1);
+  TriMesh mesh = read_mesh(ours);
+  for (Vec3& p : mesh.points) {
+    for (int axis = 0; axis < 3; ++axis) p[axis] += random.uniform(-0.05, 0.05);
+  }
+  const std::string theirs = folder / "theirs.ply", ours_moved = folder / "moved.ply";
+  write_mesh(mesh, theirs, {});
+  MeshWriteOptions noted;
+  MeshNotes notes;
+  read_mesh(ours, &notes);
+  noted.comment = notes.comments.back();
+  write_mesh(mesh, ours_moved, noted);
+  const auto status = [&](const std::string& file, const std::string& options) {
+    return outcome_of(folder, "check " + file + field + options).status;
+  };
+  CHECK(status(theirs, "") == kFaultFound);
+  CHECK(status(theirs, " --max-distance 0.3vox") == kExitSuccess);
+  CHECK(status(theirs, " --max-distance 0.001vox") == kFaultFound);
+  CHECK(status(ours_moved, " --max-distance 0.3vox") == kFaultFound);
+  CHECK(status(ours_moved, " --tolerance 0.1") == kExitSuccess);
+}
+
+// A square, and one of twice its length above it: distances follow from the figure.
+TEST_CASE("two meshes are compared without a volume") {
+  const TemporaryFolder folder;
+  const std::string square =
+      folder.write("square.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  const std::string longer =
+      folder.write("longer.obj", "v 0 0 .25\nv 2 0 .25\nv 2 1 .25\nv 0 1 .25\nf 1 2 3\nf 1 3 4\n");
+  const std::string file = folder / "report.json";
+  const auto report = [&](const std::string& arguments, int status) {
+    CHECK(run_check(parsed("check " + arguments + " --quiet --json " + file)) == status);
+    return parse_json(file_bytes(file), file);
+  };
+  const JsonValue both = report(square + " " + longer, kExitSuccess);
+  const JsonValue &there = both["first"]["to_other"], &back = both["second"]["to_other"];
+  CHECK(there["max"].number == doctest::Approx(0.25));
+  CHECK(there["mean"].number == doctest::Approx(0.25));
+  const double furthest = std::sqrt(1 + 0.25 * 0.25);
+  CHECK(back["max"].number == doctest::Approx(furthest));
+  CHECK(both["hausdorff"].number == back["max"].number);
+  CHECK(back["furthest"].items[0].number == 2);
+  // The mean square is .0625 over one half, and a third more over the other.
+  CHECK(back["rms"].number == doctest::Approx(std::sqrt(0.0625 + 0.5 / 3)).epsilon(1e-4));
+  CHECK(both["first"]["topology"]["boundary_loops"].number == 1);
+  CHECK(both["first"]["genus"].number == 0);
+  report(square + " " + longer + " --max-distance 1.1", kExitSuccess);
+  report(square + " " + longer + " --max-distance 1", kFaultFound);
+  const std::string turned =
+      folder.write("turned.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 3 2\n");
+  CHECK(report(square + " " + turned, kFaultFound)["second"]["faults"].keys ==
+        std::vector<std::string>{"orientation"});
+  CHECK_THROWS_AS(parsed("check a.ply b.ply --iso 3"), InputError);
+  // Half a turn about the patient's head.
+  const std::string lps = folder.write("lps.off",
+                                       "OFF\n# SPACE=LPS\n3 1 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n"),
+                    ras = folder.write("ras.off",
+                                       "OFF\n# SPACE=RAS\n3 1 0\n-1 0 0\n0 -1 0\n0 0 1\n3 0 1 2\n");
+  CHECK(report(lps + " " + ras, kExitSuccess)["hausdorff"].number < 1e-12);
 }
 
 TEST_CASE("caps that nearly touch are told of, and are no faults") {

@@ -76,18 +76,26 @@ std::vector<JsonValue> all_reports() {
     folder.write(text("series/", number), dicom_file({}, elements));
   }
   std::vector<JsonValue> all;
-  for (const std::string& line :
-       {field + " --check -o " + mesh, field + " --cap --check", field + " --vertices 300",
-        field + " --paper", field + " --max-radius 3 --eps1 0.2", field + " --stop-after stage1",
-        field + " --iso 1e9 --allow-empty --check",
-        "check " + mesh + " " + field + " --triangulate",
-        "check " + mesh + " " + field + " --cap",  // it has holes
-        "check " + bad + " " + field, "info " + field, "info " + field + " --iso 0.3",
-        "info " + mask, mask + " --label 120,121,200 --smooth 2",
-        mask + " --label 0 --median 1 --allow-empty", "info " + field + " --median 1 --smooth 1vox",
-        "info " + named + " --array density",
-        labels + " --label all --cap --vertices 300 --shared " + mesh,
-        "info " + (folder / "series")}) {
+  for (const std::string& line : {field + " --check -o " + mesh,
+                                  field + " --cap --check",
+                                  field + " --vertices 300",
+                                  field + " --paper",
+                                  field + " --max-radius 3 --eps1 0.2",
+                                  field + " --stop-after stage1",
+                                  field + " --iso 1e9 --allow-empty --check",
+                                  "check " + mesh + " " + field + " --triangulate",
+                                  "check " + mesh + " " + field + " --cap",  // it has holes
+                                  "check " + bad + " " + field,
+                                  "info " + field,
+                                  "info " + field + " --iso 0.3",
+                                  "info " + mask,
+                                  mask + " --label 120,121,200 --smooth 2",
+                                  mask + " --label 0 --median 1 --allow-empty",
+                                  "info " + field + " --median 1 --smooth 1vox",
+                                  "info " + named + " --array density",
+                                  "check " + mesh + " " + bad,
+                                  labels + " --label all --cap --vertices 300 --shared " + mesh,
+                                  "info " + (folder / "series")}) {
     all.push_back(written(folder, line));
   }
   return all;
@@ -241,6 +249,25 @@ TEST_CASE("--verbose adds lines to the report, and leaves none out") {
 TEST_CASE("faults of rounding are told by their kinds") {
   CHECK(place_faults_text({1, 0, 0}) == "1 pair of triangles cross");
   CHECK(place_faults_text({0, 1, 1}) == "1 triangle flat, 1 vertex coincide with others");
+}
+
+// Doubles are 2 apart at 1e16. The verdict was on the coordinates in memory: no crossings.
+TEST_CASE(
+    "the verdict is on the coordinates of the file, which doubles round far from the origin") {
+  const TemporaryFolder folder;
+  for (const bool far : {false, true}) {
+    CAPTURE(far);
+    const CommandLine line = parsed("builtin:sphere:16 --iso 0.5 -o " + folder / "far.ply" +
+                                    (far ? " --spacing 1,1,1 --origin 1e16,0,0" : ""));
+    const Input input = read_input(line);
+    MeshRun run(line, input);
+    ProgressBar progress(mesh_stages(line), false);
+    mesh_input(run, progress, [](const std::string&) {});
+    CHECK(run.sound() == !far);
+    CHECK((run.by_rounding().coincident > 0) == far);
+    CHECK((report_text(run).find("FAULT: double precision makes") != std::string::npos) == far);
+    CHECK((report_text(run).find("no crossings") == std::string::npos) == far);
+  }
 }
 
 // Saddles of faces at the isovalue: T crosses itself in the smallest cells, too. Stage 2 mends the

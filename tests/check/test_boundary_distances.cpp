@@ -45,7 +45,7 @@ CleanMesh prism(const Isosurface& surface, int n) {
     triangles.push_back({a, d, c});
   }
   Faults faults;
-  const CleanMesh mesh = check_validity(make_tri_mesh(points, triangles), surface.volume().box(), 0,
+  const CleanMesh mesh = check_validity(make_tri_mesh(points, triangles), surface.volume().box(),
                                         MayEnd::on_box, faults);
   CHECK_FALSE(faults.any());
   return mesh;
@@ -94,7 +94,7 @@ TEST_CASE("the stages follow the curves on the box, without slivers along them")
     Report report;
     const TriMesh mesh = mesh_isosurface(scene.volume, scene.surface.kappa(), options, report);
     Faults faults;
-    const CleanMesh clean = check_validity(mesh, scene.volume.box(), 0, MayEnd::on_box, faults);
+    const CleanMesh clean = check_validity(mesh, scene.volume.box(), MayEnd::on_box, faults);
     Criteria limits;
     limits[Criterion::distance] = options.limits[Criterion::distance].in(scene.volume);
     limits[Criterion::r_over_l] = options.limits[Criterion::r_over_l].value;

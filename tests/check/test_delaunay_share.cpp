@@ -17,7 +17,7 @@ namespace {
 
 CleanMesh clean(const TriMesh& mesh, const Volume& volume) {
   Faults faults;
-  return check_validity(mesh, volume.box(), 0, MayEnd::on_box, faults);
+  return check_validity(mesh, volume.box(), MayEnd::on_box, faults);
 }
 
 DelaunayShare by_balls(const CleanMesh& mesh, const Scene& scene, int threads = 1) {

@@ -24,7 +24,7 @@ TEST_CASE("the distances of a mesh are those of each triangle by itself") {
       for (int axis = 0; axis < 3; ++axis) p[axis] += random.uniform(-0.2, 0.2);
     }
     Faults faults;
-    const CleanMesh clean = check_validity(mesh, scene.volume.box(), 0.5, MayEnd::on_box, faults);
+    const CleanMesh clean = check_validity(mesh, scene.volume.box(), MayEnd::on_box, faults);
     for (const double bound : {0.02, 1.0}) {
       constexpr double kLimit = 4;
       std::vector<TriangleDistances> of_triangles, of_one;

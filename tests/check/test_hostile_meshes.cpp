@@ -167,7 +167,6 @@ TEST_CASE("a Delaunay triangulation with a cell for every two vertices is given 
     const Verification v = ball.verify(mesh, 1, share);
     CHECK_FALSE(v.voronoi->measured);
     CHECK(v.voronoi->restricted == 0);
-    CHECK(v.delaunay.measured);  // balls tell without it
   }
 }
 
@@ -185,7 +184,7 @@ TEST_CASE("a Delaunay triangulation whose cells all lie around a center is given
   for (VertexId i = 1; i <= n; ++i) mesh.triangles.push_back(triangle_of(0, i, n + i));
   const Verification v = ball.verify(mesh, 2);
   CHECK_FALSE(v.voronoi->measured);
-  CHECK(v.delaunay.measured);
+  CHECK(v.delaunay.measured);  // balls tell without it
 }
 
 TEST_CASE("nearest triangles are those of brute force, or given up") {

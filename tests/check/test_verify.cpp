@@ -354,7 +354,7 @@ TEST_CASE("r_min allows points within r_min of a triangle no larger than r_min")
   const std::vector<Vec3>& points = good.mesh.points;
   const double limit = kSearchDiagonals * length(good.volume.spacing());
   Faults none;
-  const CleanMesh clean = check_validity(good.mesh, good.volume.box(), 0, MayEnd::on_box, none);
+  const CleanMesh clean = check_validity(good.mesh, good.volume.box(), MayEnd::on_box, none);
   const auto radius = [&](const Triangle& t) {
     return distance(circumcenter(points[t[0]], points[t[1]], points[t[2]]), points[t[0]]);
   };
@@ -542,7 +542,6 @@ TEST_CASE("a solid is sound, and one fault in its caps is reported as one fault"
   CHECK(sound.solid->cap_triangles == mesh.faces.size() - report.cap.surface_triangles);
   CHECK(sound.solid->cap_vertices == mesh.points.size() - report.cap.surface_vertices);
   CHECK(sound.solid->self_intersections == 0);
-  CHECK(sound.solid->off_box == 0);
 
   Parts p = good;
   p.triangles.pop_back();
@@ -567,33 +566,6 @@ TEST_CASE("a solid is sound, and one fault in its caps is reported as one fault"
   Vec3& corner = p.points.back();
   corner = corner + 0.01 * (0.5 * (volume.box().lo + volume.box().hi) - corner);
   CHECK(run(p).faults.any());
-}
-
-// A pyramid in the corner of the box, and its base: the apex is slightly off the box. A facet of
-// the surface with all corners within the tolerance of a face was once taken for a cap, and
-// reported as reversed.
-TEST_CASE("a facet slightly off the box is no cap if the other vertices are exactly on it") {
-  const Box3 box{{0, 0, 0}, {1, 1, 1}};
-  constexpr double kTolerance = 1e-9;
-  for (const double hair : {1e-12, 0.5}) {
-    for (const bool exact : {true, false}) {
-      std::vector<Vec3> points{{0.2, 0.2, 0}, {0.8, 0.2, 0}, {0.5, 0.8, 0}, {0.5, 0.4, hair}};
-      // To the world and back, with no two roundings alike.
-      for (std::size_t v = 0; v < 3 && !exact; ++v)
-        points[v].z = 1e-13 * static_cast<double>(v + 1);
-      const std::vector<Triangle> triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-      Faults faults;
-      const SolidParts parts =
-          split_solid(make_tri_mesh(points, triangles), box, kTolerance, faults);
-      CAPTURE(hair);
-      CAPTURE(exact);
-      // Without a vertex exactly on the face, nothing distinguishes an offset from a rounding.
-      const bool told_apart = exact || hair > kTolerance;
-      CHECK(parts.caps.faces.size() == (told_apart ? 1 : 4));
-      CHECK(parts.is_cap[0]);
-      CHECK(faults.count(FaultKind::turned_caps) == (told_apart ? 0 : 3));
-    }
-  }
 }
 
 // A component may be missing if it is smaller than asked for, and only then.

@@ -28,7 +28,7 @@ DelaunayShare check_whole(const Field& field, const TriMesh& mesh, const Report&
   CHECK(mesh.points.size() + report.vertices_alone ==
         report.points_initial() + report.insertions_recover + report.insertions_refine);
   Faults faults;
-  const CleanMesh clean = check_validity(mesh, volume.box(), 0, MayEnd::on_box, faults);
+  const CleanMesh clean = check_validity(mesh, volume.box(), MayEnd::on_box, faults);
   std::vector<double> heights;
   const DelaunayShare share = measure_delaunay_share(
       clean, VertexGrids(clean.points, clean.triangles), Isosurface(volume, report.kappa), heights);

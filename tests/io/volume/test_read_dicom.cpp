@@ -539,8 +539,9 @@ TEST_CASE("a missing slice is a wider gap, with a note") {
     CHECK(log.notes[0].words.ends_with(
         "left out 'e.dcm': of another series, size, spacing or orientation"));
     CHECK(log.notes[1].severity == Severity::warning);
-    CHECK(log.notes[1].words.find("slices seem to be missing between 'b.dcm' and 'a', which lie 6 apart, "
-                            "where others have 3: ") != std::string::npos);
+    CHECK(log.notes[1].words.find(
+              "slices seem to be missing between 'b.dcm' and 'a', which lie 6 apart, "
+              "where others have 3: ") != std::string::npos);
   }
 }
 
