@@ -77,9 +77,19 @@ SampleGrid grid_of(int type, const size_t shape[3], int order, const deliso_plac
       }
     }
     grid.origin = {o[0], o[1], o[2]};
+    for (std::size_t n = 0; n < 3; ++n) {
+      const double* at = place->coordinates[n];
+      if (!at) continue;
+      const auto count = shape[2 - n];
+      for (std::size_t i = 0; i < count; ++i) grid.places[n].push_back(at[i] - at[0]);
+      grid.origin = grid.origin + at[0] / length(grid.steps[n]) * grid.steps[n];
+    }
     grid.space = space_of(place->space);
   }
-  if (is_fortran) std::swap(grid.steps[0], grid.steps[2]);
+  if (is_fortran) {
+    std::swap(grid.steps[0], grid.steps[2]);
+    std::swap(grid.places[0], grid.places[2]);
+  }
   return grid;
 }
 

@@ -99,6 +99,9 @@ typedef struct deliso_place {
    * world's own axes. */
   double direction[9];
   const char* space; /* "RAS", "LPS", or null: the world is no patient's */
+  /* Of the samples along x, y, z, if their steps are not even: as many increasing numbers as
+   * samples, in place of their indices times the spacing; else null. They are copied. */
+  const double* coordinates[3];
 } deliso_place;
 
 /* Makes a volume of an array indexed [z][y][x], with shape[0] samples along z, shape[1] along y and

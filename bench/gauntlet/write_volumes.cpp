@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   }
   std::uint64_t seed = std::strtoull(argv[1], nullptr, 10);
   for (long left = std::atol(argv[2]); left > 0; ++seed) {
-    auto [kind, tiny, labels] = make_option_volume(seed);
+    auto [kind, tiny, labels, coordinates] = make_option_volume(seed);
     if (left % 2 == 0) tiny.volume = with_layer(tiny.volume);
     const double kappa = geometric_isovalue(tiny.volume.type(), tiny.isovalue);
     const TopologyCounts truth = summarize_contour(tiny.volume, kappa).topology();

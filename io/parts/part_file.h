@@ -32,7 +32,7 @@ struct PartFile {
   // other parts.
   Index3 dims;
   Vec3 spacing;
-  Coordinates places;  // where its steps are not even
+  Coordinates places{};  // where its steps are not even
   SampleType type = SampleType::u8;
   Frame frame;
   double isovalue = 0;

@@ -42,7 +42,7 @@ __all__ += ["read", "render", "version"]
 
 # An array, or what the program reads: a file, a folder of slices, builtin:NAME.
 Source = Union[numpy.ndarray, str, os.PathLike]
-Three = Optional[Sequence[float]]
+Three = Optional[Sequence[Union[float, Sequence[float]]]]
 Progress = Union[bool, Callable[[str, float], Any]]
 
 
@@ -96,6 +96,7 @@ class _Place(ctypes.Structure):
         ("origin", ctypes.c_double * 3),
         ("direction", ctypes.c_double * 9),
         ("space", ctypes.c_char_p),
+        ("coordinates", ctypes.POINTER(ctypes.c_double) * 3),
     ]
 
 
@@ -276,7 +277,7 @@ class _Volume:
                 _TYPES[kind],
                 (ctypes.c_size_t * 3)(*array.shape),
                 int(fortran),
-                ctypes.byref(_place(spacing, origin, direction, space)),
+                ctypes.byref(_place(array.shape, spacing, origin, direction, space)),
                 ctypes.byref(self.handle),
             )
         )
@@ -294,14 +295,33 @@ def _unmasked(array):
         return numpy.asarray(array)
 
 
-def _place(spacing, origin, direction, space):
+def _place(shape, spacing, origin, direction, space):
     with _required("space"):
         place = _Place(space=space and str(space).encode())
-    place.spacing[:] = _numbers("spacing", spacing, (1, 1, 1))
+    place.spacing[:] = _numbers("spacing", _even_steps(shape, spacing, place), (1, 1, 1))
     place.origin[:] = _numbers("origin", origin, (0, 0, 0))
     # All 0 stand for the axes of the world.
     place.direction[:] = _numbers("direction", direction, numpy.zeros((3, 3)))
     return place
+
+
+def _even_steps(shape, spacing, place):
+    """The spacing with 1 for the axes that have coordinates, which `place` gets."""
+    if not isinstance(spacing, (list, tuple)) or len(spacing) != 3:
+        return spacing
+    steps, place.kept = list(spacing), []
+    for n in range(3):
+        if not isinstance(steps[n], (list, tuple, numpy.ndarray)):
+            continue
+        with _required("spacing"):
+            at = numpy.array(steps[n], float)
+        if at.shape != (shape[2 - n],):
+            along = f"coordinates along {'xyz'[n]}, for {shape[2 - n]} samples"
+            raise Error(f"spacing has {at.size} {along}")
+        place.kept.append(at)
+        place.coordinates[n] = at.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+        steps[n] = 1
+    return steps
 
 
 def _kind_of(dtype):
@@ -574,7 +594,8 @@ def mesh(
                wrong mesh, or RuntimeError ("internal error").
     isovalue   left out with label=1 or label="1,4", which meshes labels of a segmentation. With
                label="all" the meshes of all labels but 0 are returned, as Labels.
-    spacing    distance between samples along x, y, z
+    spacing    distance between samples along x, y, z; in place of one of them, the coordinates of
+               all samples along that axis, if their steps are not even
     origin     place of array[0, 0, 0]: x, y, z
     direction  matrix whose columns are the directions of x, y, z, as 3 x 3 or 9 numbers: that of
                SimpleITK's GetDirection()

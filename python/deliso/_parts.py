@@ -85,7 +85,8 @@ class _Source:
         if not 0 <= min(shape) <= max(shape) < 1 << 63:
             raise Error(f"an array of shape {tuple(shape)} cannot be meshed")
         self.error = None
-        self.data = _SourceData(_TYPES[self.kind], _SIZES(*shape), ctypes.pointer(_place(*place)))
+        placed = ctypes.pointer(_place(shape, *place))
+        self.data = _SourceData(_TYPES[self.kind], _SIZES(*shape), placed)
 
     def _read(self, _context, begin, end, samples):
         # An exception does not pass through the library: call() raises it afterwards.

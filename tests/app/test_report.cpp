@@ -95,6 +95,8 @@ std::vector<JsonValue> all_reports() {
                                   "info " + named + " --array density",
                                   "check " + mesh + " " + bad,
                                   labels + " --label all --cap --vertices 300 --shared " + mesh,
+                                  "info " + labels + " --label 1 --coordinates " +
+                                      folder.write("z.txt", "z 0 3\nx 0 1 2 4\n"),
                                   "info " + (folder / "series")}) {
     all.push_back(written(folder, line));
   }
@@ -262,7 +264,7 @@ TEST_CASE(
     const Input input = read_input(line);
     MeshRun run(line, input);
     ProgressBar progress(mesh_stages(line), false);
-    mesh_input(run, progress, [](const std::string&) {});
+    mesh_input(run, progress);
     CHECK(run.sound() == !far);
     CHECK((run.by_rounding().coincident > 0) == far);
     CHECK((report_text(run).find("FAULT: double precision makes") != std::string::npos) == far);

@@ -181,7 +181,7 @@ TEST_CASE("faults are statuses, with one line each") {
   deliso_volume* volume = nullptr;
   const auto create = [&](const void* array, std::size_t nz, double dx, int type) {
     const std::size_t shape[] = {nz, 24, 28};
-    const deliso_place place{{dx, 1, 1}, {}, {}, nullptr};
+    const deliso_place place{{dx, 1, 1}, {}, {}, nullptr, {}};
     const deliso_status status =
         deliso_volume_create(array, type, shape, DELISO_C_ORDER, &place, &volume);
     CHECK(status == DELISO_BAD_INPUT);

@@ -66,7 +66,7 @@ struct BallArray {
   }
 
   std::vector<float> samples;
-  deliso_place place{{1, 1.25, 1.5}, {10, -20, 30}, {}, nullptr};
+  deliso_place place{{1, 1.25, 1.5}, {10, -20, 30}, {}, nullptr, {}};
   deliso_source source{};
   std::atomic<int> calls = 0, at_once = 0;
   int calls_before_fault = std::numeric_limits<int>::max();

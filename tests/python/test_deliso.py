@@ -512,6 +512,23 @@ class TestMesh(TestCase):
             self.assertTrue(numpy.array_equal(a.vertices, b.vertices))
             self.assertTrue(numpy.array_equal(a.triangles, b.triangles))
 
+    def test_coordinates_of_uneven_steps(self):
+        a = field()
+        z = numpy.cumsum(numpy.linspace(0.5, 2, a.shape[0]))
+        numpy.save(self.path("v.npy"), a)
+        with open(self.path("c.txt"), "w") as file:
+            print("z", *z, file=file)
+        for array in (a, numpy.asfortranarray(a)):
+            m = deliso.mesh(array, 10.25, spacing=(1, 1, z))
+            of_file = deliso.mesh(self.path("v.npy"), 10.25, coordinates=self.path("c.txt"))
+            self.assertTrue(numpy.array_equal(m.vertices, of_file.vertices))
+            self.assertTrue(z[0] <= m.vertices[:, 2].min() and m.vertices[:, 2].max() <= z[-1])
+            self.assertEqual(deliso.check(m, array, 10.25, spacing=(1, 1, z))["check"]["faults"], {})
+        with self.assertRaisesRegex(deliso.Error, "has 3 coordinates along z, for"):
+            deliso.mesh(a, 10.25, spacing=(1, 1, [0, 1, 3]))
+        with self.assertRaisesRegex(deliso.Error, "do not increase"):
+            deliso.mesh(a, 10.25, spacing=(1, 1, -z))
+
     def test_progress(self):
         seen = []
         deliso.mesh(field(), 10.25, progress=lambda stage, share: seen.append((stage, share)))
