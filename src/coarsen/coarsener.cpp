@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/cancel.h"
+
 namespace deliso {
 namespace {
 
@@ -58,15 +60,19 @@ std::vector<std::uint8_t> Coarsener::run() {
 }
 
 void Coarsener::remove_vertices() {
-  waiting_.pass([&](VertexId v) { return remove(v); },
-                [&](VertexId v, auto&& visit) {
-                  for (int k = 0; k < ring_.size; ++k) {
-                    const VertexId w = ring_.vertex[k];
-                    visit(w);
-                    is_active_[w] = kept_[w] == 0;
-                    wake(w, v);
-                  }
-                });
+  waiting_.pass(
+      [&](VertexId v) {
+        throw_if_canceled();
+        return remove(v);
+      },
+      [&](VertexId v, auto&& visit) {
+        for (int k = 0; k < ring_.size; ++k) {
+          const VertexId w = ring_.vertex[k];
+          visit(w);
+          is_active_[w] = kept_[w] == 0;
+          wake(w, v);
+        }
+      });
 }
 
 bool Coarsener::walk(VertexId v) {

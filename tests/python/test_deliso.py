@@ -520,8 +520,9 @@ class TestMesh(TestCase):
             print("z", *z, file=file)
         for array in (a, numpy.asfortranarray(a)):
             m = deliso.mesh(array, 10.25, spacing=(1, 1, z))
-            of_file = deliso.mesh(self.path("v.npy"), 10.25, coordinates=self.path("c.txt"))
-            self.assertTrue(numpy.array_equal(m.vertices, of_file.vertices))
+            if array is a:
+                of_file = deliso.mesh(self.path("v.npy"), 10.25, coordinates=self.path("c.txt"))
+                self.assertTrue(numpy.array_equal(m.vertices, of_file.vertices))
             self.assertTrue(z[0] <= m.vertices[:, 2].min() and m.vertices[:, 2].max() <= z[-1])
             self.assertEqual(deliso.check(m, array, 10.25, spacing=(1, 1, z))["check"]["faults"], {})
         with self.assertRaisesRegex(deliso.Error, "has 3 coordinates along z, for"):
