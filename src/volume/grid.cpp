@@ -110,14 +110,6 @@ bool Grid::is_on_plane(const Vec3& p, int axis) const {
   return std::round(p[axis] / spacing_[axis]) * spacing_[axis] == p[axis];
 }
 
-Grid Grid::as_block(Index3 first, Index3 whole) const {
-  require_in_range(whole, spacing_, frame_, "volume");
-  Grid block = *this;
-  block.first_ = first;
-  block.whole_ = whole;
-  return block;
-}
-
 unsigned Grid::inner_faces() const {
   unsigned faces = 0;
   for (int axis = 0; axis < 3; ++axis) {

@@ -113,11 +113,7 @@ class Grid {
   // spacing is that of a usual voxel (median_gap). Throws InputError, with the volume's `name`, if
   // they do not increase, or are out of range. pre: this is no block.
   Grid with_places(Coordinates places, std::string_view name) const;
-  // Returns this grid as a block of a larger one: samples `first` and following of `whole`.
-  // pre: it fits into `whole`, and frame() is that of the larger grid.
-  Grid as_block(Index3 first, Index3 whole) const;
-  // Returns the block's samples in the box, as a block of the same larger grid; `first` counts as
-  // first() does.
+  // Returns a block of the larger grid, from its sample `first` on.
   Grid part(Index3 first, Index3 dims) const {
     Grid part = *this;
     part.first_ = first;

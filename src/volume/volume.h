@@ -74,14 +74,10 @@ class Volume : public Grid {
                       std::shared_ptr<const void> owner) const {
     return {of_type(type), bytes, std::move(owner)};
   }
-  // Return the same samples elsewhere in the world, at other places, and as a block
-  // (Grid::as_block).
+  // Return the same samples elsewhere in the world, and at other places.
   Volume with_frame(const Frame& frame) const { return {Grid::with_frame(frame), bytes_, owner_}; }
   Volume with_places(Coordinates places, std::string_view name) const {
     return {Grid::with_places(std::move(places), name), bytes_, owner_};
-  }
-  Volume as_block(Index3 first, Index3 whole) const {
-    return {Grid::as_block(first, whole), bytes_, owner_};
   }
 
   // Samples f(p) as float64 at dims.i * dims.j * dims.k points p of a box in the world, its corners

@@ -32,7 +32,7 @@ struct VolumeSource {
   std::function<Volume(const SampleBox&)> read;  // as samples_of() returns them
   std::optional<Volume> in_memory{};             // what `read` copies from, if it does so
 };
-// Returns the source of a volume in memory. It may be a region of a larger one (Grid::as_block),
+// Returns the source of a volume in memory. It may be a region of a larger one (Grid::part),
 // which is the source's; then only boxes within the region can be read.
 VolumeSource source_of(const Volume& volume);
 // Returns the volume itself, read if it is not in memory.

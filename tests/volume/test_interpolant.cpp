@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "volume/sampled.h"
+#include "volume/volume_source.h"
 
 using namespace deliso;
 
@@ -15,24 +16,27 @@ TEST_CASE_TEMPLATE("four values on a line are those of the volume, outside the b
                    std::uint8_t, float) {
   constexpr double kKappa = 40.5;
   Random random(1);
-  const Volume volume = sampled<Sample>({4, 5, 6}, {0.5, 1, 2}, [&](int, int, int) {
-                          return random.below(256);
-                        }).as_block({2, 0, 3}, {9, 9, 9});
-  const Interpolant g(volume, kKappa);
-  const auto point = [&](double beyond) {
-    const Box3 box = volume.box();
-    return Vec3{random.uniform(box.lo.x - beyond, box.hi.x + beyond),
-                random.uniform(box.lo.y - beyond, box.hi.y + beyond),
-                random.uniform(box.lo.z - beyond, box.hi.z + beyond)};
-  };
-  for (int turn = 0; turn < 200; ++turn) {
-    // The last point is the box's last corner, at the end of its last voxel.
-    const Vec3 from = point(0.7), along = volume.box().hi - from;
-    const Interpolant::Four t{0, random.uniform(), -random.uniform(), 1};
-    const Interpolant::Four values = g.on_line(from, along, t);
-    for (std::size_t n = 0; n < 4; ++n) {
-      const double expected = volume.value(from + t[n] * along) - kKappa;
-      CHECK(values[n] == doctest::Approx(expected).epsilon(1e-9));
+  const Volume even =
+      sampled<Sample>({9, 9, 9}, {0.5, 1, 2}, [&](int, int, int) { return random.below(256); });
+  const Volume uneven = even.with_places({{{0, 1, 1.5, 3, 4, 7, 8, 8.5, 9}, {}, {}}}, "test");
+  for (const Volume& all : {even, uneven}) {
+    const Volume volume = samples_of(all, {{2, 0, 3}, {5, 4, 8}});
+    const Interpolant g(volume, kKappa);
+    const auto point = [&](double beyond) {
+      const Box3 box = volume.box();
+      return Vec3{random.uniform(box.lo.x - beyond, box.hi.x + beyond),
+                  random.uniform(box.lo.y - beyond, box.hi.y + beyond),
+                  random.uniform(box.lo.z - beyond, box.hi.z + beyond)};
+    };
+    for (int turn = 0; turn < 200; ++turn) {
+      // The last point is the box's last corner, at the end of its last voxel.
+      const Vec3 from = point(0.7), along = volume.box().hi - from;
+      const Interpolant::Four t{0, random.uniform(), -random.uniform(), 1};
+      const Interpolant::Four values = g.on_line(from, along, t);
+      for (std::size_t n = 0; n < 4; ++n) {
+        const double expected = volume.value(from + t[n] * along) - kKappa;
+        CHECK(values[n] == doctest::Approx(expected).epsilon(1e-9));
+      }
     }
   }
 }

@@ -271,8 +271,8 @@ TEST_CASE("value_range names the first NaN or infinite sample") {
   check_bad_sample(-std::numeric_limits<double>::infinity(), "infinite");
   std::vector<float> samples(8);
   samples[6] = std::numeric_limits<float>::quiet_NaN();
-  const Volume block =
-      Volume::from_samples({2, 2, 2}, {1, 1, 1}, samples).as_block({10, 20, 30}, {50, 50, 50});
+  const Grid grid = Grid({50, 50, 50}, {1, 1, 1}, SampleType::f32).part({10, 20, 30}, {2, 2, 2});
+  const Volume block = Volume::from_samples(grid, samples);
   CHECK_THROWS_WITH_AS(value_range(block, "v.nrrd"),
                        "v.nrrd: NaN sample at (10, 21, 31): --nan VALUE gives such samples a value",
                        InputError);

@@ -10,9 +10,9 @@ using namespace deliso;
 
 TEST_CASE("NaN samples get the value, and others stay as they are") {
   const double nan = std::nan("");
+  const Grid grid = Grid({9, 2, 2}, {1, 2, 3}, SampleType::f64).part({3, 0, 0}, {2, 2, 2});
   const Volume volume =
-      Volume::from_samples({2, 2, 2}, {1, 2, 3}, std::vector<double>{1, nan, 3, -nan, 5, 6, 7, nan})
-          .as_block({3, 0, 0}, {9, 2, 2});
+      Volume::from_samples(grid, std::vector<double>{1, nan, 3, -nan, 5, 6, 7, nan});
   std::uint64_t count = 1;
   const Volume filled = without_nan(volume, -2.5, count);
   CHECK(count == 4);
