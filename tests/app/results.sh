@@ -190,6 +190,10 @@ holds "a mesh that names none is where --space says" \
 "$deliso" render no-space.off --volume turned.nrrd --space RAS --iso 150.3 --clip x:0.5 --section \
   -q -o no-space.png
 holds "a section is where the mesh is" cmp ras.png no-space.png
+"$deliso" render ras.ply --clip x:0.5 -q -o open.png
+status=0
+cmp -s ras.png open.png || status=$?
+holds "and fills the cut" [ "$status" -eq 1 ]
 for n in 1 2; do
   "$deliso" turned.nrrd --iso 150.3 -q --space RAS --block-side 4 --part $n/2 -o ras-$n.part
 done

@@ -38,7 +38,7 @@ GrayWindow gray_window(const Volume& volume, const ValueRange& range) {
 
 std::function<std::optional<double>(const Vec3&)> gray_inside(const Volume& volume, double kappa,
                                                               const GrayWindow& window) {
-  return [&volume, kappa, window, box = volume.box()](const Vec3& place) -> std::optional<double> {
+  return [volume, kappa, window, box = volume.box()](const Vec3& place) -> std::optional<double> {
     const Vec3 p = volume.frame().from_world(place);
     if (!box.contains(p)) return std::nullopt;
     const double value = volume.value(p);

@@ -22,7 +22,7 @@ struct GrayWindow {
 GrayWindow gray_window(const Volume& volume, const ValueRange& range);
 
 // Returns the gray of a place in the world, or nothing where it is outside of the surface or of the
-// volume's box. Keeps a reference to the volume. `kappa`: geometric_isovalue().
+// volume's box. Keeps the volume. `kappa`: geometric_isovalue().
 std::function<std::optional<double>(const Vec3&)> gray_inside(const Volume& volume, double kappa,
                                                               const GrayWindow& window);
 

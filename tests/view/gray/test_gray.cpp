@@ -52,7 +52,7 @@ TEST_CASE("a cut has the interpolant's gray inside the surface and is open elsew
   const Frame frame{{10, -20, 30}, {Vec3{c, s, 0}, Vec3{s, -c, 0}, Vec3{0, 0, 1}}};
   const Volume volume = Volume::from_samples({5, 4, 3}, {0.5, 1, 2}, samples, frame);
   const GrayWindow window{0.2, 0.9};
-  const auto gray = gray_inside(volume, 0.4, window);
+  const auto gray = gray_inside(Volume(volume), 0.4, window);  // outlives the one given
   int inside = 0, outside = 0;
   for (int n = 0; n < 2000; ++n) {
     const Vec3 p{random.uniform(0, 2), random.uniform(0, 3), random.uniform(0, 4)};
