@@ -57,7 +57,9 @@ int run_trace(const CommandLine& line) {
   const TopologyCounts topology = mesh_topology(mesh).counts();
   PageData data;
   add_trace(trace, data);
-  const bool has_samples = input.grid().sample_count() <= kMostSamplesShown;
+  // The page finds samples by even steps.
+  const bool is_small = input.grid().sample_count() <= kMostSamplesShown,
+             has_samples = is_small && input.grid().is_even();
   if (has_samples) add_samples(input.volume(), *input.range, data);
   const std::string title = "deliso trace " + std::filesystem::path(input.name).filename().string();
   {
@@ -70,9 +72,9 @@ int run_trace(const CommandLine& line) {
                 trace.events_seen(), " events: --trace-limit N takes more");
   }
   if (!has_samples) {
-    add_warning(notes, "trace-without-slices", "",
-                "the page has no slices of the volume, which has more than 2 million samples: "
-                "--roi takes a part");
+    add_warning(notes, "trace-without-slices", "", "the page has no slices of the volume, ",
+                is_small ? "whose steps are not even"
+                         : "which has more than 2 million samples: --roi takes a part");
   }
   progress.tell(notes);
   if (!line.quiet && line.output != "-") {
