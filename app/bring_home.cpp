@@ -11,14 +11,13 @@
 #include <vector>
 
 #include "base/text.h"
+#include "check/verify.h"
 #include "delaunay/predicates.h"
 #include "io/files/text_scan.h"
 #include "io/mesh/to_float.h"
 
 namespace deliso {
 namespace {
-
-constexpr double kToleranceVoxels = 1e-6;  // besides the digits
 
 // Errors above this many voxels, a tenth of a perturbation, may be more than what keeps vertices
 // off the box on purpose: then they bring only ends to it.

@@ -83,11 +83,7 @@ std::string boundary_text(const BoundaryDistances& b, double voxel) {
 void add_distances(ReportWriter& out, std::string_view key, const Distances& d, double voxel,
                    std::string_view words) {
   out.open(key, words);
-  out.add("points", d.points, "how many");
-  out.add("max", d.max / voxel, "the largest distance; voxels");
-  out.add("mean", d.mean / voxel, "the mean; voxels");
-  out.add("rms", d.rms / voxel, "the root of the mean square; voxels");
-  out.add("quantile_999", d.quantile_999 / voxel, "what 99.9 % keep to; voxels");
+  add_spread(out, d, voxel, "; voxels");
   out.add("beyond_bound", d.beyond, "points further than the bound");
   out.add("beyond_bound_above_r_min", d.too_far,
           "of these, those at triangles above r_min, or further than r_min");
@@ -118,6 +114,14 @@ std::string counts_text(const TopologyCounts& t) {
 }
 
 }  // namespace
+
+void add_spread(ReportWriter& out, const Distances& d, double unit, std::string_view unit_words) {
+  out.add("points", d.points, "how many");
+  out.add("max", d.max / unit, text("the largest distance", unit_words));
+  out.add("mean", d.mean / unit, text("the mean", unit_words));
+  out.add("rms", d.rms / unit, text("the root of the mean square", unit_words));
+  out.add("quantile_999", d.quantile_999 / unit, text("what 99.9 % keep to", unit_words));
+}
 
 std::string place_text(const Vec3& p) {
   constexpr int kDigits = 7;

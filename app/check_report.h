@@ -42,6 +42,9 @@ struct CheckRun {
 CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const CommandLine& line,
                              const Input& input, std::function<void(double)> progress = {});
 
+// Adds how distances are spread, in this unit.
+void add_spread(ReportWriter& out, const Distances& d, double unit, std::string_view unit_words);
+
 // Returns "(x y z)".
 std::string place_text(const Vec3& p);
 // Give the faults, whose places are in this frame: aligned lines, and an object "faults".

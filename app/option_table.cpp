@@ -132,8 +132,7 @@ constexpr OptionSpec kInputAndOutput[] = {
      [](Line& l, Text, Text) { l.triangulate = true; }},
     {"--tolerance", 0, "X|Xvox", kCheckOnly,
      "how far vertices may be off the surface, and the mesh's ends off the box, in world units or "
-     "in "
-     "voxels (default: what the digits of the mesh's coordinates give)",
+     "in voxels (default: what the digits of the mesh's coordinates give)",
      [](Line& l, Text o, Text v) { l.tolerance = parse_length(o, v, Length::Unit::world); }},
     {"--allow-empty", 0, "", kMeshAndJoin, "an isovalue that gives no surface is no error",
      [](Line& l, Text, Text) { l.allow_empty = true; }},
@@ -163,8 +162,7 @@ constexpr OptionSpec kInputAndOutput[] = {
      [](Line& l, Text o, Text v) { l.read.origin = parse_point(o, v); }},
     {"--coordinates", 0, "FILE", kVolume,
      "coordinates of the samples along an axis, if their steps are not even: lines of x, y or z "
-     "and "
-     "as many numbers as samples (default: what the file says)",
+     "and as many numbers as samples (default: what the file says)",
      [](Line& l, Text, Text v) { l.read.coordinates = read_coordinates(std::string(v)); }},
     {"--space", 0, "LPS|RAS", kVolume,
      "the patient's space of the mesh: x, y, z to the left, back, head, or to the right, front, "
@@ -418,8 +416,8 @@ constexpr CommandSpec kCommandTable[] = {
     {Command::check, "check", "check MESH INPUT --iso K [options]",
      "Holds a mesh against the isosurface of a volume: validity, self-intersections, exact "
      "topology, Delaunay triangles, distances both ways, shapes. A second mesh in place of INPUT "
-     "is "
-     "compared with the first: validity and topology of each, distances both ways; --max-distance "
+     "is compared with the first: validity and topology of each, distances both ways; "
+     "--max-distance "
      "makes larger ones a fault. Exit status: 0 no fault, 1 a fault, 2 bad usage or input."},
     {Command::render, "render", "render MESH [MESH ...] -o PICTURE.png [options]",
      "Draws a mesh, or several side by side, all seen by one camera: the side where the field is "

@@ -69,11 +69,7 @@ void add_side(ReportWriter& out, std::string_view key, const std::string& name,
   add_topology(out, "topology", mesh.topology, "of the mesh");
   out.add("genus", mesh.genus(), "handles of all components together");
   out.open("to_other", "from points of this mesh to the other; its unit");
-  out.add("points", d.points, "how many");
-  out.add("max", d.max, "the largest distance");
-  out.add("mean", d.mean, "the mean");
-  out.add("rms", d.rms, "the root of the mean square");
-  out.add("quantile_999", d.quantile_999, "what 99.9 % keep to");
+  add_spread(out, d, 1, "");
   out.add("furthest", d.furthest, "where the largest is");
   out.add("given_up", d.given_up,
           "points left out since too many triangles lie across each other there");

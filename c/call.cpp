@@ -78,11 +78,7 @@ SampleGrid grid_of(int type, const size_t shape[3], int order, const deliso_plac
     }
     grid.origin = {o[0], o[1], o[2]};
     for (std::size_t n = 0; n < 3; ++n) {
-      const double* at = place->coordinates[n];
-      if (!at) continue;
-      const auto count = shape[2 - n];
-      for (std::size_t i = 0; i < count; ++i) grid.places[n].push_back(at[i] - at[0]);
-      grid.origin = grid.origin + at[0] / length(grid.steps[n]) * grid.steps[n];
+      if (const double* at = place->coordinates[n]) grid.set_coordinates(n, {at, shape[2 - n]});
     }
     grid.space = space_of(place->space);
   }

@@ -29,9 +29,6 @@ namespace {
 // have one at a crease.
 constexpr std::size_t kFewOverLimit = 2;
 
-// The least tolerance.
-constexpr double kToleranceVoxels = 1e-6;
-
 // The bound for points of Sigma is this multiple of the bound for points of the mesh.
 constexpr double kFromSurfaceFactor = 2;
 
@@ -394,7 +391,9 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   const Isosurface surface(volume, kappa);
   const double bound = options.limits[Criterion::distance], r_min = options.limits.r_min;
   const auto intersections = report_self_intersections(mesh, whole, threads, faults);
-  // Up to here the points as given tell. What follows is measured.
+  // Up to here the points as given tell, and in the triangulation. What else follows is measured.
+  std::vector<Vec3> given;
+  if (options.triangulate) given = whole.points;
   whole.points = on_lattice(volume, std::move(whole.points));
   if (surface_part) surface_part->points = whole.points;
   if (options.solid) {
@@ -435,10 +434,9 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.seconds_distances += watch.restart();
   check_share(mesh, clean, options.restricted_share, result);
   if (options.triangulate) {
-    CleanMesh given = clean;
-    given.points = mesh.points;
-    for (Vec3& p : given.points) p = is_finite(p) ? p : Vec3{};
-    result.voronoi = count_voronoi_edges(given, surface, threads);
+    CleanMesh as_given = clean;
+    as_given.points = std::move(given);
+    result.voronoi = count_voronoi_edges(as_given, surface, threads);
   }
   result.seconds_delaunay += watch.restart();
   if (result.from_surface.given_up > 0) {

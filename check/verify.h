@@ -36,10 +36,13 @@
 
 namespace deliso {
 
+// The least tolerance of vertices.
+inline constexpr double kToleranceVoxels = 1e-6;
+
 struct VerifyOptions {
   ComponentChoice components;  // other components of the contour may be missing
-  // How far a vertex may be from Sigma, if that is more than a millionth of a voxel
-  // (app/bring_home.h); scaled frame. On the box is a vertex only exactly.
+  // How far a vertex may be from Sigma, if that is more than kToleranceVoxels (app/bring_home.h);
+  // scaled frame. On the box is a vertex only exactly.
   double tolerance = 0;
   // Vertices as far off Sigma are counted, but are no fault: those of a mesh that does not claim to
   // lie on it. 0: there are none.

@@ -54,18 +54,13 @@ std::int64_t label_of(T value, Index3 at, std::string_view name) {
 template <class T>
 void add_row(Found& found, const T* row, const Grid& grid, const SampleExtent& box, int j, int k,
              std::string_view name) {
-  const double share = grid.share_at(1, j) * grid.share_at(2, k);
+  const double share = grid.share_of(1, j, j + 1) * grid.share_of(2, k, k + 1);
   for (int begin = box.first.i; begin <= box.last.i;) {
     int end = begin + 1;
     while (end <= box.last.i && row[end] == row[begin]) ++end;
-    double along = end - begin - ((begin == 0 ? 0.5 : 0) + (end == grid.dims().i ? 0.5 : 0));
-    if (grid.places(0)) {
-      along = 0;
-      for (int i = begin; i < end; ++i) along += grid.share_at(0, i);
-    }
     LabelSamples run{label_of(row[begin], {begin, j, k}, name),
                      static_cast<std::uint64_t>(end - begin),
-                     share * along,
+                     share * grid.share_of(0, begin, end),
                      {begin, j, k},
                      {end - 1, j, k}};
     LabelSamples& all = found[run.label];

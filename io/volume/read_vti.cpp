@@ -88,26 +88,25 @@ class VtiParser {
     if (coordinates_.size() != 3) {
       fail(input_.name(), "has ", coordinates_.size(), " arrays of coordinates, not three");
     }
-    for (int axis = 0; axis < 3; ++axis) {
-      const XmlTag& array = coordinates_[static_cast<std::size_t>(axis)];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const XmlTag& array = coordinates_[axis];
       const std::string what = text("the coordinates along ", "xyz"[axis]);
-      const auto count = static_cast<std::uint64_t>(grid_.dims[static_cast<std::size_t>(axis)]);
-      std::vector<double>& places = grid_.places[static_cast<std::size_t>(axis)];
+      const auto count = static_cast<std::uint64_t>(grid_.dims[axis]);
+      std::vector<double> values;
       const StoredType type = supported_type(input_, array.attribute("type").value_or(""));
       if (xml_.is_text(array)) {
-        places = to_doubles(xml_.inside(array).text()).value_or(std::vector<double>());
+        values = to_doubles(xml_.inside(array).text()).value_or(std::vector<double>());
       } else if (type.wide == StoredType::Wide::no) {
         with_type(type.type, [&]<class T>(T) {
           const Bytes data = xml_.binary(array, count * sizeof(T), what);
-          const FieldReader values(data.data, xml_.byte_order());
+          const FieldReader numbers(data.data, xml_.byte_order());
           for (std::size_t at = 0; at < data.size(); at += sizeof(T)) {
-            places.push_back(static_cast<double>(values.get<T>(at)));
+            values.push_back(static_cast<double>(numbers.get<T>(at)));
           }
         });
       }
-      if (places.size() != count) fail(input_.name(), what, " are not ", count, " numbers");
-      const double first = grid_.origin[axis] = places[0];
-      for (double& place : places) place -= first;
+      if (values.size() != count) fail(input_.name(), what, " are not ", count, " numbers");
+      grid_.set_coordinates(axis, values);
     }
   }
 

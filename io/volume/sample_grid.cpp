@@ -186,6 +186,11 @@ void SampleGrid::set_spacing(const Vec3& own) {
   }
 }
 
+void SampleGrid::set_coordinates(std::size_t axis, std::span<const double> at) {
+  for (const double x : at) places[axis].push_back(x - at[0]);
+  origin = origin + at[0] / length(steps[axis]) * steps[axis];
+}
+
 bool has_directions(const SampleGrid& grid) {
   return std::ranges::all_of(grid.steps,
                              [](const Vec3& step) { return in_range(step) && length(step) > 0; });

@@ -62,6 +62,8 @@ struct SampleGrid {
   // Steps along the world's axes, by the file's `own` spacing or, where that is not positive, by
   // the one that is given. Spacings are checked later, with the steps.
   void set_spacing(const Vec3& own);
+  // Puts samples at these coordinates along an axis, whose step then has the direction alone.
+  void set_coordinates(std::size_t axis, std::span<const double> at);
 };
 
 // Ends of messages about a place that is missing or bad: which option gives it.

@@ -65,10 +65,12 @@ class FaceLine {
   // The same along an axis of uneven steps.
   double next_place(const double* places, int axis, double t) const {
     const double d = direction_[axis];
-    int n = gap_at(places, volume_.dims()[axis], from_[axis] + t * d) + (d > 0 ? 1 : 0);
-    for (; d != 0 && 0 <= n && n<volume_.dims()[axis]; n += d> 0 ? 1 : -1) {
+    const int count = volume_.dims()[axis], step = d > 0 ? 1 : -1;
+    int n = gap_at(places, count, from_[axis] + t * d) + (d > 0 ? 1 : 0);
+    while (d != 0 && 0 <= n && n < count) {
       const double candidate = (places[n] - from_[axis]) / d;
       if (candidate > t) return candidate;
+      n += step;
     }
     return std::numeric_limits<double>::infinity();
   }

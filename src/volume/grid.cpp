@@ -97,11 +97,15 @@ double Grid::at_between_places(const double* at, double u, int axis) const {
   return share < 1 ? std::min(x, at[n + 1]) : x;
 }
 
-double Grid::share_at(int axis, int sample) const {
+double Grid::share_of(int axis, int begin, int end) const {
   const double* at = places(axis);
-  const int last = dims_[axis] - 1;
-  if (!at) return sample == 0 || sample == last ? 0.5 : 1;
-  return (at[std::min(sample + 1, last)] - at[std::max(sample - 1, 0)]) / (2 * spacing_[axis]);
+  const int count = dims_[axis];
+  if (!at) return end - begin - (begin == 0 ? 0.5 : 0) - (end == count ? 0.5 : 0);
+  // The border before a sample.
+  const auto border = [&](int n) {
+    return (at[std::max(n - 1, 0)] + at[std::min(n, count - 1)]) / 2;
+  };
+  return (border(end) - border(begin)) / spacing_[axis];
 }
 
 bool Grid::is_on_plane(const Vec3& p, int axis) const {

@@ -167,13 +167,13 @@ class Grid {
   Vec3 sides(Index3 voxel) const {
     return places_ ? position(corner_of(voxel, 7)) - position(voxel) : spacing_;
   }
-  // Returns a voxel's volume, and the length along an axis that is nearer to a sample than to
-  // others, both in those of a usual voxel.
+  // Returns a voxel's volume, and the length along an axis that is nearer to samples begin to end-1
+  // than to others, both in those of a usual voxel.
   double share_of(Index3 voxel) const {
     const Vec3 s = sides(voxel);
     return places_ ? s.x * s.y * s.z / (spacing_.x * spacing_.y * spacing_.z) : 1;
   }
-  double share_at(int axis, int sample) const;
+  double share_of(int axis, int begin, int end) const;
   // Return a coordinate in samples along an axis, counted from the block's first one. Beyond the
   // block the steps are those of its last voxel.
   double in_samples(const Vec3& p, int axis) const {
