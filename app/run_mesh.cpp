@@ -94,15 +94,17 @@ void examine(const TriMesh& mesh, const TriMesh& surface, bool reported, MeshRun
   const VolumeSource& field = run.input.field.source;
   const Grid& grid = field.shape;
   std::string boundary_fault;
-  // Warnings, which come without a report too, need topology and quality.
   std::vector<std::function<void()>> looks{
       [&] { run.fault = check_mesh(mesh); },
-      [&] { boundary_fault = check_boundary_on_box(surface, grid.box()); },
-      [&] { run.mesh = mesh_topology(surface).counts(); },
-      [&] {
-        run.quality =
-            measure_quality(surface, options.limits[Criterion::r_over_l].value, run.report.r_min);
-      }};
+      [&] { boundary_fault = check_boundary_on_box(surface, grid.box()); }};
+  // Warnings about a number, labels and floats need them without a report, too.
+  if (reported || by_count(options) || !is_integer(grid.type())) {
+    looks.emplace_back([&] { run.mesh = mesh_topology(surface).counts(); });
+    looks.emplace_back([&] {
+      run.quality =
+          measure_quality(surface, options.limits[Criterion::r_over_l].value, run.report.r_min);
+    });
+  }
   if (reported) {
     looks.emplace_back([&] { run.close = close_places(surface, field, options.threads); });
   }

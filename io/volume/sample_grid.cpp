@@ -67,7 +67,7 @@ Grid whole_grid(const SampleGrid& grid) {
          grid.is_of_file && !grid.read.origin ? kGiveOrigin : "");
   }
   require_in_range(grid.size(), spacing, frame, grid.name);
-  const Grid whole =
+  Grid whole =
       Grid(grid.size(), spacing, grid.type, frame).with_places(std::move(places), grid.name);
   const auto& [u, v, w] = frame.axes;
   if (!(std::abs(dot(cross(u, v), w)) >= kLeastDeterminant)) {
