@@ -67,23 +67,34 @@ fi
 name=$2 room=$3
 at=$work/$room/$name
 mkdir "$at"
-cp -r "$source/src" "$source/more" "$at"
+for folder in src more check io; do cp -r "$source/$folder" "$at"; done
 apply "$name" "$at"
-files=$(sed -n 's|^+++ b/||p' "$here/$name.patch")
-for folder in $(for file in $files; do dirname "$file"; done | sort -u); do
-  for file in "$at/$folder"/*.cpp; do echo "#include \"$file\""; done
-done >"$at/room.cpp"
-tests=$work/$room/tests.o
-outcome=
 compile="$compile -I$at/src -I$at $includes"
-if $compile -c "$at/room.cpp" -o "$at/room.o" 2>"$at/log" &&
+
+# Compiles the mutant's rooms and links its tests.
+build_tests() {
+  files=$(sed -n 's|^+++ b/||p' "$here/$name.patch")
+  folders=$(for file in $files; do dirname "$file"; done)
+  tests=$work/$room/tests.o
   case $files in
     *.h)
+      for folder in src/"$room" "$room"; do [ ! -d "$at/$folder" ] || folders="$folders $folder"; done
       tests=$at/tests.o
-      $compile -c "$work/$room/tests.cpp" -o "$tests" 2>"$at/log"
+      $compile -c "$work/$room/tests.cpp" -o "$tests" || return
       ;;
-  esac &&
-  ${CXX:-c++} "$at/room.o" "$tests" "$work/main.o" "$build/libdeliso.a" -pthread -o "$at/tests" 2>"$at/log"; then
+  esac
+  objects=
+  for folder in $(printf '%s\n' $folders | sort -u); do
+    object=$at/$(echo "$folder" | tr / _)
+    for file in "$at/$folder"/*.cpp; do [ ! -f "$file" ] || echo "#include \"$file\""; done >"$object.cpp"
+    $compile -c "$object.cpp" -o "$object.o" || return
+    objects="$objects $object.o"
+  done
+  ${CXX:-c++} $objects "$tests" "$work/main.o" "$build/libdeliso.a" -pthread -o "$at/tests"
+}
+
+outcome=
+if build_tests 2>"$at/log"; then
   # A mutant may run for ever, and fill a list meanwhile: 4 GiB are the most.
   found=0
   (ulimit -v 4194304 && timeout "$(cat "$work/$room/limit")" "$at/tests" --abort-after=1 || exit $?) \
