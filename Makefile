@@ -35,7 +35,8 @@ ROOM ?=
 ROOM_TESTS = tests_$(subst /,_,$(ROOM))
 CASE ?=
 PROGRAMS ?=
-OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src more check io view app c tests bench figures examples course -name '*.h' -o -name '*.cpp')
+TREES = src more deliso check io view app c
+OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find $(TREES) tests bench figures examples course -name '*.h' -o -name '*.cpp')
 
 .PHONY: all demo test test-all room course grade figures site bench datasets tables quality sanitize fuzz tidy format format-check install
 .PHONY: wheel deb doctest clean
@@ -71,6 +72,8 @@ test-all: doctest
 # One room and its tests with assertions on, e.g. `make room ROOM=io/volume CASE='*truncated*'`: seconds
 # after a change of one file. Its build keeps the other rooms.
 room: doctest
+	@ls tests/$(ROOM)/test_*.cpp >/dev/null 2>&1 || { echo 'ROOM is a folder of tests/: '$$(cd tests && \
+	  ls */test_*.cpp */*/test_*.cpp | sed 's|/[^/]*$$||' | sort -u); exit 2; }
 	@started=$$(date +%s); \
 	$(CONFIGURE) -B $(BUILD)-room -DCMAKE_BUILD_TYPE=Debug \
 	  -DCMAKE_CXX_FLAGS_DEBUG='-O1 -g1 -D_GLIBCXX_ASSERTIONS' -DDELISO_BUILD_TESTS=ON \
@@ -162,6 +165,17 @@ mutants: doctest
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso
 	@CXX='$(CXX)' sh bench/mutants/run.sh $(BUILD) $(JOBS) $(ROOM)
 
+# The lines that no quick test reaches; of src, more, deliso and check.
+COVERAGE_BUILD = $(BUILD)-coverage
+.PHONY: coverage
+coverage: doctest
+	@$(CONFIGURE) -B $(COVERAGE_BUILD) -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS='--coverage -O1' \
+	  -DCMAKE_CXX_FLAGS_DEBUG= -DDELISO_BUILD_TESTS=ON -DDELISO_BUILD_BENCH=OFF >/dev/null
+	@cmake --build $(COVERAGE_BUILD) -j $(JOBS) --target quick_tests
+	@find $(COVERAGE_BUILD) -name '*.gcda' -delete
+	@ctest --test-dir $(COVERAGE_BUILD) -j $(JOBS) -L quick -R '^test_' | tail -n 4
+	@sh tests/coverage.sh . $(COVERAGE_BUILD)
+
 # The tests of code under AddressSanitizer and UndefinedBehaviorSanitizer, with assertions on: by
 # clang where there is one, since it compiles them in half the time.
 sanitize: doctest
@@ -178,14 +192,15 @@ fuzz:
 	@cmake --build $(FUZZ_BUILD) -j $(JOBS)
 	@sh tests/fuzz/run.sh $(FUZZ_BUILD)/tests/fuzz $(FUZZ_BUILD)/corpus $(FUZZ)
 
-# A changed header stands for the file of its name. Files are looked at one by one, so each must
-# include what it needs.
+# A changed header stands for the file of its name, or for itself if there is none. Files are looked at
+# one by one, so each must include what it needs.
 tidy:
 	@cmake -S . -Wno-dev -B $(BUILD)-tidy -DCMAKE_CXX_COMPILER=$(CLANG) -DDELISO_UNITE=OFF \
 	  -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=OFF >/dev/null
-	@$(if $(SINCE),git diff --name-only $(SINCE) -- src more check io view app c | sed 's/\.h$$/.cpp/',\
-	  find src more check io view app c -name '*.cpp') | grep '\.cpp$$' | sort -u | \
-	  while read -r file; do [ ! -f "$$file" ] || echo "$$file"; done | \
+	@$(if $(SINCE),git diff --name-only $(SINCE) -- $(TREES),find $(TREES) -name '*.cpp' -o -name '*.h') | \
+	  grep '\.\(cpp\|h\)$$' | while read -r file; do \
+	    source=$${file%.h}.cpp; [ -f "$$source" ] || source=$$file; [ ! -f "$$source" ] || echo "$$source"; \
+	  done | sort -u | \
 	  xargs -r -P $(JOBS) -n 1 clang-tidy --quiet -p $(BUILD)-tidy
 
 format:
@@ -228,4 +243,4 @@ doctest:
 	fi
 
 clean:
-	rm -rf $(BUILD) $(SANITIZE_BUILD) $(FUZZ_BUILD) $(BUILD)-tidy $(BUILD)-room
+	rm -rf $(BUILD) $(COVERAGE_BUILD) $(SANITIZE_BUILD) $(FUZZ_BUILD) $(BUILD)-tidy $(BUILD)-room

@@ -12,7 +12,7 @@
 
 #include "base/text.h"
 #include "check/verify.h"
-#include "delaunay/predicates.h"
+#include "exact/predicates.h"
 #include "io/files/text_scan.h"
 #include "io/mesh/to_float.h"
 

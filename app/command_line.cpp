@@ -310,7 +310,7 @@ struct Exclusion {
 };
 // --vertices and --triangles choose the bound on the distance in Stage 2, so that others cannot set
 // it, and that there must be this stage. A part has no mesh file, and is made without the rest of
-// the mesh (more/mesh_isosurface.h). Shared labels have no isosurface to be held against, and no
+// the mesh (deliso/mesh_isosurface.h). Shared labels have no isosurface to be held against, and no
 // components by themselves.
 constexpr Exclusion kExclusions[] = {
     {"--float", "--double", ""},

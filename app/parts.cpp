@@ -9,10 +9,10 @@
 #include "base/check.h"
 #include "base/text.h"
 #include "blocks/mesh_in_blocks.h"
+#include "deliso/mesh_isosurface.h"
 #include "io/files/text_scan.h"
 #include "io/filter/gaussian.h"
 #include "io/filter/nan_samples.h"
-#include "more/mesh_isosurface.h"
 #include "run/options.h"
 
 namespace deliso {

@@ -32,11 +32,11 @@
 #include "check/distances.h"
 #include "check/quality.h"
 #include "check/verify.h"
+#include "deliso/mesh_isosurface.h"
 #include "io/files/input_file.h"
 #include "io/mesh/write_mesh.h"
 #include "isosurface/isosurface.h"
 #include "more/counts/expected_vertices.h"
-#include "more/mesh_isosurface.h"
 
 namespace deliso {
 namespace {

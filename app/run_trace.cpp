@@ -14,7 +14,7 @@
 #include "base/check.h"
 #include "base/text.h"
 #include "check/check_mesh.h"
-#include "more/mesh_isosurface.h"
+#include "deliso/mesh_isosurface.h"
 #include "view/trace/record_paper.h"
 #include "view/trace/recorder.h"
 

@@ -16,9 +16,9 @@
 #include <utility>
 #include <vector>
 
+#include "deliso/mesh_isosurface.h"
 #include "io/volume/builtin_volume.h"
 #include "io/volume/read_volume.h"
-#include "more/mesh_isosurface.h"
 #include "run/observer.h"
 
 using namespace deliso;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "delaunay/predicates.h"
+#include "exact/predicates.h"
 
 using namespace deliso;
 

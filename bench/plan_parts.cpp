@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "blocks/grid.h"
+#include "deliso/mesh_isosurface.h"
 #include "io/volume/read_volume.h"
-#include "more/mesh_isosurface.h"
 #include "run/observer.h"
 
 using namespace deliso;

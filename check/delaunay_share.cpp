@@ -8,8 +8,8 @@
 #include "base/box3.h"
 #include "base/parallel.h"
 #include "check/vertex_grids.h"
-#include "delaunay/predicates.h"
 #include "delaunay/voronoi.h"
+#include "exact/predicates.h"
 #include "isosurface/patch_at.h"
 #include "mesh/incidence.h"
 

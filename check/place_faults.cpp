@@ -6,7 +6,7 @@
 #include "base/sorted_list.h"
 #include "check/self_intersections.h"
 #include "check/triangle_tree.h"
-#include "delaunay/predicates.h"
+#include "exact/predicates.h"
 #include "mesh/first_at_place.h"
 
 namespace deliso {

@@ -8,8 +8,8 @@
 #include "base/parallel.h"
 #include "base/sorted_list.h"
 #include "base/text.h"
-#include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
+#include "exact/predicates.h"
 
 namespace deliso {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "base/text.h"
 #include "check/quality.h"
-#include "delaunay/predicates.h"
+#include "exact/predicates.h"
 
 namespace deliso {
 namespace {

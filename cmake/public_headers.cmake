@@ -1,12 +1,12 @@
 # Copies the library's headers to where other projects see them: all under one name, deliso/, and
-# behind it as the sources name them (deliso/mesh/tri_mesh.h of src/, deliso/more/mesh_isosurface.h,
+# behind it as the sources name them (deliso/mesh/tri_mesh.h of src/, deliso/mesh_isosurface.h,
 # deliso/io/mesh/write_mesh.h, deliso/c/deliso.h), with the includes among them to match.
 function(deliso_public_headers project generated destination)
   set(source ${project}/src)
   file(GLOB folders RELATIVE ${source} ${source}/*)
   list(APPEND folders more check io view)
   string(REPLACE ";" "|" pattern "${folders}")
-  file(GLOB headers ${source}/*/*.h ${generated}/*/*.h ${project}/more/*.h ${project}/more/*/*.h
+  file(GLOB headers ${source}/*/*.h ${generated}/*/*.h ${project}/deliso/*.h ${project}/more/*/*.h
        ${project}/check/*.h ${project}/io/*/*.h ${project}/view/*/*.h ${project}/c/deliso.h)
   foreach(header ${headers})
     file(READ ${header} text)

@@ -9,7 +9,7 @@
 #include "deliso/check/verify.h"
 #include "deliso/io/mesh/write_mesh.h"
 #include "deliso/io/volume/read_volume.h"
-#include "deliso/more/mesh_isosurface.h"
+#include "deliso/mesh_isosurface.h"
 
 namespace {
 

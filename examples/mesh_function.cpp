@@ -10,7 +10,7 @@
 #include "deliso/base/check.h"
 #include "deliso/check/quality.h"
 #include "deliso/io/mesh/write_mesh.h"
-#include "deliso/more/mesh_isosurface.h"
+#include "deliso/mesh_isosurface.h"
 #include "deliso/volume/volume.h"
 
 namespace {

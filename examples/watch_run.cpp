@@ -14,7 +14,7 @@
 
 #include "deliso/base/check.h"
 #include "deliso/io/volume/read_volume.h"
-#include "deliso/more/mesh_isosurface.h"
+#include "deliso/mesh_isosurface.h"
 #include "deliso/run/criteria.h"
 #include "deliso/run/report.h"
 #include "deliso/view/trace/recorder.h"

@@ -35,10 +35,11 @@ if [ "$1" != --one ]; then
   trap 'exit 130' INT TERM
   mkdir "$work/outcomes"
   doctest=$(sed -n 's/^DOCTEST_INCLUDE_DIR:PATH=//p' "$build/CMakeCache.txt")
-  [ -d "$doctest" ] || doctest=$build/_deps/doctest_upstream-src
+  [ -d "$doctest" ] || doctest=$build/doctest-2.4.11
   compile="${CXX:-c++} -std=c++20 -O1 -w -ffp-contract=off"
   includes="-I$source/src -I$source -I$build/generated -I$source/tests -idirafter $doctest"
-  export build work compile includes
+  printed="-include $source/tests/printed.h"
+  export build work compile includes printed
   $compile $includes -c "$source/tests/main.cpp" -o "$work/main.o"
   status=0
   rooms=$(for name in $(all_patches); do head_of "$name" Tests; done | sort -u)
@@ -48,7 +49,7 @@ if [ "$1" != --one ]; then
     # The tests themselves, which must pass on the code as it is; three times as long is too long.
     mkdir -p "$work/$room"
     for file in "$source/tests/$room"/test_*.cpp; do echo "#include \"$file\""; done >"$work/$room/tests.cpp"
-    $compile $includes -c "$work/$room/tests.cpp" -o "$work/$room/tests.o"
+    $compile $includes $printed -c "$work/$room/tests.cpp" -o "$work/$room/tests.o"
     ${CXX:-c++} "$work/$room/tests.o" "$work/main.o" "$build/libdeliso.a" -pthread -o "$work/$room/tests"
     started=$(date +%s)
     "$work/$room/tests" >"$work/$room/log" || { tail -n 20 "$work/$room/log"; echo "$room: its tests fail"; exit 2; }
@@ -67,7 +68,7 @@ fi
 name=$2 room=$3
 at=$work/$room/$name
 mkdir "$at"
-for folder in src more check io; do cp -r "$source/$folder" "$at"; done
+for folder in src more deliso check io; do cp -r "$source/$folder" "$at"; done
 apply "$name" "$at"
 compile="$compile -I$at/src -I$at $includes"
 
@@ -80,7 +81,7 @@ build_tests() {
     *.h)
       for folder in src/"$room" "$room"; do [ ! -d "$at/$folder" ] || folders="$folders $folder"; done
       tests=$at/tests.o
-      $compile -c "$work/$room/tests.cpp" -o "$tests" || return
+      $compile $printed -c "$work/$room/tests.cpp" -o "$tests" || return
       ;;
   esac
   objects=

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "more/mesh_isosurface.h"
+#include "deliso/mesh_isosurface.h"
 #include "paper/deliso.h"
 #include "support/datasets.h"
 #include "support/statistics.h"

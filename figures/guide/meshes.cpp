@@ -7,10 +7,10 @@
 
 #include "coarsen/contour_as_mesh.h"
 #include "contour/contour.h"
+#include "deliso/mesh_isosurface.h"
 #include "guide/figures.h"
 #include "io/files/append_format.h"
 #include "io/volume/builtin_volume.h"
-#include "more/mesh_isosurface.h"
 #include "paper/observer.h"
 #include "recover/certificate.h"
 #include "recover/certified.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "delaunay/predicates.h"
+#include "exact/predicates.h"
 #include "guide/drawing.h"
 #include "guide/figures.h"
 #include "io/files/append_format.h"

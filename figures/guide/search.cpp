@@ -12,7 +12,7 @@
 #include "guide/figures.h"
 #include "guide/slice.h"
 #include "io/files/append_format.h"
-#include "kdtree/lattice_line.h"
+#include "isosurface/lattice_line.h"
 #include "surface/surface_point.h"
 
 namespace deliso::guide {

@@ -127,7 +127,7 @@ void pass(Archive& a, PartFile& part, std::vector<Triangle>& triangles, std::vec
   pass(a, block.report);
 }
 
-// True if p is in the box, and predicates are exact for it (delaunay/predicates.h).
+// True if p is in the box, and predicates are exact for it (exact/predicates.h).
 bool is_place(const Vec3& p, const Box3& box) {
   constexpr double kLeast = 0x1p-140;
   const auto is_exact = [](double x) { return x == 0 || std::fabs(x) >= kLeast; };

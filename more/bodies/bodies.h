@@ -47,7 +47,7 @@ struct InterfaceMesh {
 
 // Returns the borders, the same with any number of threads. With a desired number of vertices or
 // triangles, caps left out, the bound on the distance follows from it. Throws InputError as
-// mesh_isosurface() does (more/mesh_isosurface.h).
+// mesh_isosurface() does (deliso/mesh_isosurface.h).
 InterfaceMesh mesh_interfaces(const Partition& partition, const Options& options, Report& report);
 
 }  // namespace deliso

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "more/planar/plane_predicates.h"
 
-#include "delaunay/expansion.h"
+#include "exact/expansion.h"
 
 namespace deliso::predicates {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The two exact predicates of a planar Delaunay triangulation: the plane's counterpart of
-// delaunay/predicates.h, with its range of coordinates. A filter decides first, then exact
+// exact/predicates.h, with its range of coordinates. A filter decides first, then exact
 // expansions; planar sets are small, so there is no stage between them.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "base/vec2.h"
-#include "delaunay/predicates.h"
+#include "exact/predicates.h"
 
 namespace deliso {
 
@@ -17,7 +17,7 @@ namespace predicates {
 int orient2d_exact(const Vec2& a, const Vec2& b, const Vec2& c);
 int incircle_exact(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
-// As in delaunay/predicates.h. Shewchuk's bounds are (3 + 16 eps) eps and (10 + 96 eps) eps times
+// As in exact/predicates.h. Shewchuk's bounds are (3 + 16 eps) eps and (10 + 96 eps) eps times
 // the permanent. The products below bound a half of it; one more eps covers the rest.
 inline constexpr double kOrient2dFilter = (3 * 2 + 1) * kEpsilon;
 inline constexpr double kIncircleFilter = (10 * 2 + 1) * kEpsilon;

@@ -14,7 +14,7 @@
 namespace deliso {
 
 // Bounds on the lengths and coordinates that are read, in any unit. Within them every product of
-// the predicates stays in the range of a double (delaunay/predicates.h).
+// the predicates stays in the range of a double (exact/predicates.h).
 inline constexpr double kSmallestSpacing = 1e-20, kLargestLength = 1e30;
 
 inline bool in_range(const Vec3& p) {

@@ -4,8 +4,8 @@
 
 #include "coarsen/facet_cells.h"
 #include "coarsen/fans.h"
-#include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
+#include "exact/predicates.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
+#include "exact/predicates.h"
 
 namespace deliso {
 

@@ -3,7 +3,7 @@
 //
 // A polynomial is written once, as a generic lambda of the values. Here c(m) is the value at corner
 // m minus kappa, d(m) the difference along z between corner m + 4 and corner m. Doubles with an
-// error bound evaluate it first. If they cannot decide the sign, expansions (delaunay/expansion.h)
+// error bound evaluate it first. If they cannot decide the sign, expansions (exact/expansion.h)
 // evaluate it exactly. Both use the samples and kappa as given, so that not even the rounding of
 // value - kappa decides a sign.
 //
@@ -18,7 +18,7 @@
 #include <limits>
 #include <optional>
 
-#include "delaunay/expansion.h"
+#include "exact/expansion.h"
 #include "volume/volume.h"
 
 namespace deliso {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <tuple>
 
-#include "delaunay/predicates.h"
+#include "exact/predicates.h"
 
 namespace deliso {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "delaunay/hilbert.h"
-#include "delaunay/predicates.h"
+#include "exact/predicates.h"
 
 namespace deliso {
 namespace {

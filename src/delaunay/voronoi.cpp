@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "delaunay/double_double.h"
-#include "delaunay/predicates.h"
+#include "exact/double_double.h"
+#include "exact/predicates.h"
 
 namespace deliso {
 namespace {

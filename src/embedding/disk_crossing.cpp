@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "base/triangle.h"
-#include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
+#include "exact/predicates.h"
 
 namespace deliso {
 namespace {

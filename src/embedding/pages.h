@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "delaunay/predicates.h"
+#include "exact/predicates.h"
 
 namespace deliso {
 

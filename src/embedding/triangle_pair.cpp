@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "base/box3.h"
-#include "delaunay/predicates.h"
+#include "exact/predicates.h"
 
 namespace deliso {
 namespace {

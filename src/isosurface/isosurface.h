@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "base/segment.h"
-#include "kdtree/lattice_line.h"
+#include "isosurface/lattice_line.h"
 #include "roots/cubic.h"
 #include "volume/volume.h"
 

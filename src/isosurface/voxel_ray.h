@@ -15,7 +15,7 @@
 // passages on a segment is odd exactly when its ends lie on different sides.
 #pragma once
 
-#include "kdtree/lattice_line.h"
+#include "isosurface/lattice_line.h"
 #include "roots/cubic.h"
 #include "volume/volume.h"
 

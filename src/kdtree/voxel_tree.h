@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "base/segment.h"
-#include "kdtree/lattice_line.h"
+#include "isosurface/lattice_line.h"
 #include "volume/volume.h"
 
 namespace deliso {

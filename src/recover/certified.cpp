@@ -11,7 +11,7 @@
 #include "base/random.h"
 #include "base/sorted_list.h"
 #include "contour/fine_contour.h"
-#include "delaunay/predicates.h"
+#include "exact/predicates.h"
 #include "paper/poles.h"
 #include "recover/certificate.h"
 

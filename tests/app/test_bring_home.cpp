@@ -14,10 +14,10 @@
 #include "base/random.h"
 #include "base/text.h"
 #include "check/verify.h"
+#include "deliso/mesh_isosurface.h"
 #include "io/files/text_scan.h"
 #include "io/mesh/to_float.h"
 #include "io/volume/builtin_volume.h"
-#include "more/mesh_isosurface.h"
 
 using namespace deliso;
 

@@ -20,11 +20,11 @@
 #include "base/triangle.h"
 #include "check/check_mesh.h"
 #include "check/quality.h"
+#include "deliso/mesh_isosurface.h"
 #include "io/files/temporary_folder.h"
 #include "io/filter/gaussian.h"
 #include "io/filter/median.h"
 #include "io/mesh/read_mesh.h"
-#include "more/mesh_isosurface.h"
 #include "volume/sampled.h"
 
 using namespace deliso;

@@ -9,7 +9,7 @@
 
 #include "app/facet_values.h"
 #include "base/triangle.h"
-#include "more/mesh_isosurface.h"
+#include "deliso/mesh_isosurface.h"
 #include "volume/sampled.h"
 
 using namespace deliso;

@@ -13,8 +13,8 @@
 #include "app/parsed_line.h"
 #include "app/published.h"
 #include "base/random.h"
+#include "deliso/mesh_isosurface.h"
 #include "io/volume/builtin_volume.h"
-#include "more/mesh_isosurface.h"
 #include "run/observer.h"
 
 using namespace deliso;

@@ -6,8 +6,8 @@
 #include <array>
 #include <string>
 
+#include "deliso/mesh_isosurface.h"
 #include "io/volume/builtin_volume.h"
-#include "more/mesh_isosurface.h"
 #include "support/quality.h"
 
 using namespace deliso;

@@ -13,9 +13,9 @@
 #include "check/check_mesh.h"
 #include "check/verify.h"
 #include "contour/contour.h"
+#include "deliso/mesh_isosurface.h"
 #include "io/volume/builtin_volume.h"
 #include "mesh/meshes.h"
-#include "more/mesh_isosurface.h"
 #include "see.h"
 #include "stress/tiny_volume.h"
 

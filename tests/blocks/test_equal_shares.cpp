@@ -8,9 +8,9 @@
 
 #include "blocks/equal_shares.h"
 #include "blocks/mesh_in_blocks.h"
+#include "deliso/mesh_isosurface.h"
 #include "io/volume/builtin_volume.h"
 #include "mesh/meshes.h"
-#include "more/mesh_isosurface.h"
 
 using namespace deliso;
 using test::same_mesh;

@@ -9,7 +9,7 @@
 #include "blocks/grid.h"
 #include "blocks/mesh_in_blocks.h"
 #include "cases.h"
-#include "more/mesh_isosurface.h"
+#include "deliso/mesh_isosurface.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;

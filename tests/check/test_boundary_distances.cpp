@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "check/quality.h"
+#include "deliso/mesh_isosurface.h"
 #include "fields.h"
-#include "more/mesh_isosurface.h"
 #include "volume/sampled.h"
 
 using namespace deliso;

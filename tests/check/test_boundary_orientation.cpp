@@ -9,7 +9,7 @@
 
 #include "cases.h"
 #include "check/verify.h"
-#include "more/mesh_isosurface.h"
+#include "deliso/mesh_isosurface.h"
 #include "stress/tiny_volume.h"
 
 namespace deliso {

@@ -9,9 +9,9 @@
 
 #include "base/random.h"
 #include "check/verify.h"
+#include "deliso/mesh_isosurface.h"
 #include "io/volume/builtin_volume.h"
 #include "mesh/meshes.h"
-#include "more/mesh_isosurface.h"
 
 using namespace deliso;
 

@@ -10,7 +10,7 @@
 #include "deliso/base/version.h"
 #include "deliso/io/mesh/write_mesh.h"
 #include "deliso/io/volume/read_volume.h"
-#include "deliso/more/mesh_isosurface.h"
+#include "deliso/mesh_isosurface.h"
 
 int main(int argc, char** argv) {
   if (argc != 4) return 2;

@@ -23,7 +23,7 @@
 
 #include "contour/voxel_topology.h"
 #include "contour/voxel_truth.h"
-#include "delaunay/big_int.h"
+#include "exact/big_int.h"
 
 namespace deliso {
 

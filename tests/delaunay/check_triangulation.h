@@ -11,8 +11,8 @@
 #include <sstream>
 #include <string>
 
-#include "delaunay/predicates.h"
 #include "delaunay/triangulation.h"
+#include "exact/predicates.h"
 
 namespace deliso {
 inline std::string describe(const Triangulation& t, CellId c) {

@@ -10,9 +10,9 @@
 #include <set>
 #include <tuple>
 
-#include "delaunay/big_int.h"
 #include "delaunay/check_triangulation.h"
 #include "delaunay/point_sets.h"
+#include "exact/big_int.h"
 
 using namespace deliso;
 using oracle::make_point_set;

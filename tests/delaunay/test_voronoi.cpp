@@ -11,9 +11,9 @@
 #include <limits>
 
 #include "base/random.h"
-#include "delaunay/big_int.h"
 #include "delaunay/point_sets.h"
-#include "delaunay/predicates.h"
+#include "exact/big_int.h"
+#include "exact/predicates.h"
 
 using namespace deliso;
 using oracle::BigInt;

@@ -6,7 +6,7 @@ set -eu
 cd "$1"
 # "Name 1990", "Name et al. 1990", "Name (1990": of several authors the last. A citation may be broken
 # between two lines of a comment. Standards and dates are none.
-cited=$(find src more check io view app c bench figures tests docs README.md \
+cited=$(find src more deliso check io view app c bench figures tests docs README.md \
   \( -name '*.h' -o -name '*.cpp' -o -name '*.js' -o -name '*.html' -o -name '*.md' \) ! -name bibliography.md \
   -exec sh -c 'sed "s|^ *//* *||" "$@" | tr "\n" " "' sh {} + |
   grep -oE "[A-Z][A-Za-z]+( et al\.)? \(?(19|20)[0-9]{2}[^0-9A-Za-z./-]" |

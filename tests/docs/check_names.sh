@@ -10,7 +10,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 {
-  find .ci bench cmake course docs examples figures src more check io view app c python tests -type f
+  find .ci bench cmake course docs examples figures src more deliso check io view app c python tests -type f
   find . -maxdepth 1 -type f | sed 's|^\./||'
 } >"$work/files"
 sources=$(grep -E '^(\.ci/run|Makefile|CMakeLists\.txt)$|\.(h|cpp|py|sh|awk|cmake)$|/CMakeLists\.txt$' "$work/files")
@@ -51,7 +51,7 @@ diff "$work/wanted" "$work/got"
 
 # The guide has every room of the trees, the README every command.
 faults=0
-for folder in src/*/ more/ more/*/ check/ io/*/ view/*/ app/; do
+for folder in src/*/ deliso/ more/*/ check/ io/*/ view/*/ app/; do
   folder=${folder#src/}
   folder=${folder%/}
   grep -qw "$folder" docs/guide/README.md ||

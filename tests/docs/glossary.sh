@@ -6,7 +6,7 @@
 #            with exercises links one;
 #   symbols  every Greek letter, every letter with an index, and in chapters with exercises every
 #            capital letter by itself has an entry;
-#   names    the names in the table are names of src/, more/ or check/, outside comments.
+#   names    the names in the table are names of src/, more/, deliso/ or check/, outside comments.
 # Code, quoted output, names of test cases and the targets of links do not count.
 # Usage: glossary.sh SOURCE
 set -eu
@@ -25,7 +25,7 @@ sed -n 's/^| <a id="\([^"]*\)">.*/\1/p' docs/glossary.md | sort >"$work/ids"
 # The first column: what is explained, a word a line.
 sed -n 's/^| <a id="[^"]*"><\/a>\([^|]*\)|.*/\1/p' docs/glossary.md |
   sed 's/\[\(.*\)\]([^)]*)/\1/;s/⁺//g;s/⁻//g;s/₀//g;s/₁//g;s/₂//g' | tr -s ' ,\\=' '\n' | sort -u >"$work/explained"
-find src more check \( -name '*.h' -o -name '*.cpp' \) -exec awk '
+find src more deliso check \( -name '*.h' -o -name '*.cpp' \) -exec awk '
   { sub("//.*", ""); gsub(/[^A-Za-z0-9_]+/, " ")
     for (n = split($0, words, " "); n > 0; n--) print FILENAME ":" words[n] }' {} + |
   sort -u >"$work/names"

@@ -30,7 +30,7 @@ check_patch() {
   name=$1
   tree=$work/$name
   mkdir "$tree"
-  for folder in src more check io view app tests bench docs; do
+  for folder in src more deliso check io view app tests bench docs; do
     cp -r "$source/$folder" "$tree"
   done
   (cd "$tree" && patch -p1 --fuzz=0 --quiet <"$tree.patch") ||
@@ -41,10 +41,11 @@ check_patch() {
   for room in $(echo "$changed" | sed 's|/[^/]*$||' | sort -u); do
     own=$(echo "$changed" | grep "^$room/[^/]*$")
     sources=$(echo "$own" | grep '\.cpp$') || true
-    target=deliso
+    target=room_$(echo "$room" | tr / _)
     folders=
     case $room in
-      bench) folders="-I$tree/bench -I$tree/tests" ;; # each file is a program
+      app) target=deliso_cli ;;
+      bench) target=room_check folders="-I$tree/bench -I$tree/tests" ;; # each file is a program
       tests/*)
         target=tests_$(echo "${room#tests/}" | tr / _)
         for header in $(echo "$own" | grep '\.h$'); do

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # What docs/guide/reading.md lists is there, and each of its lists is short enough to be read: a list
-# says "At most N lines". A row of its tables links a file of src/, more/ or check/, and names functions or classes of
+# says "At most N lines". A row of its tables links a file of src/, more/, deliso/ or check/, and names functions or classes of
 # it (reading.awk). The list of the paper has every function of src/paper of more than three lines.
 # Of each list it is counted which functions of its rooms a listed one calls that no list has.
 # Usage: reading.sh SOURCE
@@ -62,7 +62,7 @@ defined() {
 }
 # The path of a room or a file: the trees beside src/ go by their names in full.
 in_tree() {
-  case $1 in more | more/* | check/* | check) echo "$1" ;; *) echo "src/$1" ;; esac
+  case $1 in deliso | deliso/* | more/* | check | check/*) echo "$1" ;; *) echo "src/$1" ;; esac
 }
 
 cut -f 1 "$work/list" | uniq >"$work/lists"

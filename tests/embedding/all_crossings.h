@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
+#include "exact/predicates.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso::test {

@@ -11,8 +11,8 @@
 
 #include "base/random.h"
 #include "check/self_intersections.h"
-#include "delaunay/predicates.h"
 #include "embedding/all_crossings.h"
+#include "exact/predicates.h"
 
 namespace deliso {
 namespace {

@@ -51,7 +51,7 @@ fi
 
 faults=0
 # Most files have nothing of the kind, not even in a comment: one look at all of them shows which.
-sources=$(find src more check io view app c -name '*.h' -o -name '*.cpp')
+sources=$(find src more deliso check io view app c -name '*.h' -o -name '*.cpp')
 files=$(echo "$sources" | wc -l)
 for file in $( (echo "$sources" | xargs grep -lE "$calls"
   printf '%s' "$allowed" | sed -n 's/:.*//p') | sort -u); do

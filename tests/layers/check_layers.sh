@@ -7,35 +7,35 @@
 set -eu
 cd "$1"
 
-surface="base mesh embedding volume isosurface run surface"
-stages="$surface roots delaunay kdtree contour coarsen refine"
-all="$stages deliso blocks recover more more/bodies more/cap more/counts"
+surface="base exact mesh embedding volume roots isosurface run surface"
+stages="$surface contour coarsen refine"
+all="$stages blocks more/bodies more/cap more/counts"
 io="io/files io/volume io/filter io/mesh io/parts"
 view="view/gray view/page view/render view/trace"
 
 allowed() {
   case $1 in
     base) echo base ;;
-    roots | delaunay | mesh | volume) echo "base $1" ;;
-    kdtree) echo "base volume kdtree" ;;
-    embedding) echo "base delaunay mesh embedding" ;;
-    contour) echo "base volume delaunay mesh embedding contour" ;;
-    isosurface) echo "base roots volume kdtree isosurface" ;;
+    roots | exact | mesh | volume) echo "base $1" ;;
+    delaunay) echo "base exact delaunay" ;;
+    isosurface) echo "base roots volume isosurface" ;;
+    kdtree) echo "base volume isosurface/lattice_line.h kdtree" ;;
+    embedding) echo "base exact mesh embedding" ;;
+    contour) echo "base volume exact mesh embedding contour" ;;
     run) echo "base mesh volume isosurface run" ;;
     surface) echo "$surface contour/boundary_loop.h contour/sheet_walk.h" ;;
-    coarsen) echo "$surface delaunay contour coarsen" ;;
-    recover) echo "base roots volume kdtree isosurface delaunay mesh embedding contour paper recover" ;;
+    coarsen) echo "$surface contour coarsen" ;;
+    recover) echo "base roots volume kdtree isosurface exact delaunay mesh embedding contour paper recover" ;;
     refine) echo "$surface refine" ;;
-    deliso) echo "$stages deliso" ;;
+    deliso) echo "$all recover deliso" ;;
     # As published: the primitives alone. Of src/ only recover includes it.
-    paper) echo "base roots volume kdtree isosurface delaunay mesh paper" ;;
-    blocks) echo "$surface contour coarsen refine deliso blocks" ;;
-    more) echo "$all" ;;
-    more/planar) echo "base delaunay more/planar" ;;
-    more/cap) echo "$surface delaunay contour refine more/planar more/cap" ;;
+    paper) echo "base roots volume kdtree isosurface exact delaunay mesh paper" ;;
+    blocks) echo "$surface contour coarsen refine blocks" ;;
+    more/planar) echo "base exact more/planar" ;;
+    more/cap) echo "$surface delaunay/hilbert.h contour refine more/planar more/cap" ;;
     more/counts) echo "$surface contour coarsen refine blocks more/counts" ;;
-    more/bodies) echo "$surface delaunay coarsen refine more/bodies" ;;
-    check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface" \
+    more/bodies) echo "$surface coarsen refine more/bodies" ;;
+    check) echo "base roots exact delaunay mesh embedding volume contour isosurface" \
       "run/criteria.h check" ;;
     io/files) echo "base io/files" ;;
     io/volume) echo "base volume io/files io/volume" ;;
@@ -46,15 +46,15 @@ allowed() {
     view/render) echo "base mesh io/files view/render" ;;
     view/gray) echo "base volume io/files mesh view/render view/gray" ;;
     view/trace) echo "$surface delaunay contour paper recover refine view/trace" ;;
-    app) echo "more/mesh_isosurface.h $all paper check $io $view app" ;;
-    c) echo "more/mesh_isosurface.h $all paper check $io $view app c" ;;
+    app) echo "deliso $all delaunay kdtree paper recover check $io $view app" ;;
+    c) echo "deliso $all paper recover check $io $view app c" ;;
     *) return 1 ;;
   esac
 }
 
 files=0
 faults=0
-for file in $(find src more check io view app c -name '*.h' -o -name '*.cpp'); do
+for file in $(find src more deliso check io view app c -name '*.h' -o -name '*.cpp'); do
   files=$((files + 1))
   room=${file%/*}
   room=${room#src/}

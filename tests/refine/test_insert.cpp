@@ -4,9 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include "deliso/mesh_isosurface.h"
 #include "io/volume/builtin_volume.h"
 #include "more/counts/unrefined.h"
-#include "more/mesh_isosurface.h"
 #include "refine/stage.h"
 
 using namespace deliso;

@@ -13,8 +13,8 @@
 
 #include "base/text.h"
 #include "check/verify.h"
+#include "deliso/mesh_isosurface.h"
 #include "mesh/meshes.h"
-#include "more/mesh_isosurface.h"
 #include "stress/judge.h"
 #include "stress/see_seed.h"
 #include "stress/seeds.h"

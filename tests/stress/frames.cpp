@@ -24,7 +24,7 @@
 #include "base/random.h"
 #include "base/text.h"
 #include "check/verify.h"
-#include "more/mesh_isosurface.h"
+#include "deliso/mesh_isosurface.h"
 #include "stress/in_child.h"
 #include "stress/option_volume.h"
 #include "stress/seeds.h"

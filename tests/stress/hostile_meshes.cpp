@@ -18,6 +18,7 @@
 #include "app/run.h"
 #include "base/check.h"
 #include "base/random.h"
+#include "deliso/mesh_isosurface.h"
 #include "io/damage.h"
 #include "io/mesh/mesh_files.h"
 #include "io/mesh/write_mesh.h"
@@ -25,7 +26,6 @@
 #include "io/volume/builtin_volume.h"
 #include "io/volume/volume_files.h"
 #include "mesh/meshes.h"
-#include "more/mesh_isosurface.h"
 #include "stress/in_child.h"
 #include "stress/seeds.h"
 

@@ -8,8 +8,8 @@
 
 #include "check/check_mesh.h"
 #include "check/verify.h"
+#include "deliso/mesh_isosurface.h"
 #include "mesh/component_kinds.h"
-#include "more/mesh_isosurface.h"
 
 namespace deliso::stress {
 

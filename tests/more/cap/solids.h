@@ -17,9 +17,9 @@
 #include "check/place_faults.h"
 #include "check/quality.h"
 #include "check/self_intersections.h"
+#include "deliso/mesh_isosurface.h"
 #include "mesh/meshes.h"
 #include "more/cap/box_caps.h"
-#include "more/mesh_isosurface.h"
 #include "more/planar/plane_predicates.h"
 #include "volume/sampled.h"
 

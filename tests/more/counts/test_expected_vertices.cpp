@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "contour/contour.h"
+#include "deliso/mesh_isosurface.h"
 #include "fields.h"
 #include "io/volume/builtin_volume.h"
-#include "more/mesh_isosurface.h"
 #include "volume/sampled.h"
 
 using namespace deliso;

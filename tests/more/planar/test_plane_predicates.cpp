@@ -7,7 +7,7 @@
 #include <array>
 
 #include "base/random.h"
-#include "delaunay/big_int.h"
+#include "exact/big_int.h"
 
 using namespace deliso;
 

@@ -5,7 +5,7 @@
 
 const kLeafVoxels = 128;
 
-// A line among voxels: src/kdtree/lattice_line.h.
+// A line among voxels: src/isosurface/lattice_line.h.
 class LatticeLine {
   constructor(origin, direction, voxels) {
     this.origin = [...origin];

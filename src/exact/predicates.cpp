@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The layers behind the filters of predicates.h: double-doubles, then expansions.
-#include "delaunay/predicates.h"
+#include "exact/predicates.h"
 
 #include <cfloat>
 #include <initializer_list>
 
-#include "delaunay/double_double.h"
-#include "delaunay/expansion.h"
+#include "exact/double_double.h"
+#include "exact/expansion.h"
 
 namespace deliso {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // orient3d and insphere against integers of any width.
 #include "cases.h"
-#include "delaunay/predicates.h"
+#include "exact/predicates.h"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "delaunay/big_int.h"
+#include "exact/big_int.h"
 
 using namespace deliso;
 

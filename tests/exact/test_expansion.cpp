@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Expansion arithmetic against integers of any width, and its invariants X1 and X2.
-#include "delaunay/expansion.h"
+#include "exact/expansion.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "base/random.h"
-#include "delaunay/big_int.h"
+#include "exact/big_int.h"
 
 using namespace deliso;
 using oracle::BigInt;

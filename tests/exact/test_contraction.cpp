@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "base/random.h"
-#include "delaunay/expansion.h"
+#include "exact/expansion.h"
 
 using namespace deliso;
 

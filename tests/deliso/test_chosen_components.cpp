@@ -11,8 +11,8 @@
 #include "check/triangle_tree.h"
 #include "check/verify.h"
 #include "coarsen/contour_as_mesh.h"
+#include "deliso/mesh_isosurface.h"
 #include "fields.h"
-#include "more/mesh_isosurface.h"
 #include "refine/refine.h"
 #include "volume/sampled.h"
 

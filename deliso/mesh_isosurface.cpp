@@ -12,12 +12,12 @@
 #include "blocks/components.h"
 #include "blocks/mesh_in_blocks.h"
 #include "blocks/seams.h"
+#include "deliso/mesh_isosurface.h"
 #include "more/cap/close_on_box.h"
 #include "more/cap/dissolve.h"
 #include "more/counts/merge_vertices.h"
 #include "more/counts/mesh_near_count.h"
 #include "more/counts/unrefined.h"
-#include "more/mesh_isosurface.h"
 #include "run/observer.h"
 
 namespace deliso {

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "base/vec3.h"
-#include "delaunay/expansion.h"
+#include "exact/expansion.h"
 
 namespace deliso {
 
