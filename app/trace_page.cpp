@@ -52,7 +52,7 @@ void add_outcomes(JsonWriter& json) {
   for (std::size_t n = 0; n < kRefusals; ++n) {
     const auto refusal = static_cast<Refusal>(n);
     names.push_back("refused: " + std::string(name_of(refusal)));
-    texts.emplace_back(text_of(refusal));
+    texts.emplace_back(row_of(kRefusalTable, refusal).text);
   }
   json.add("outcomes", names);
   json.add("outcome_texts", texts);

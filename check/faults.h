@@ -10,12 +10,13 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/enum_table.h"
 #include "base/vec3.h"
 
 namespace deliso {
 
 enum class FaultKind : std::uint8_t {
-  not_finite,             // coordinates
+  vertices_not_finite,    // coordinates
   duplicate_vertices,     // at one position; all other tests count them as one
   unused_vertices,        // in no triangle
   degenerate_triangles,   // a corner twice, or all three on one line
@@ -41,39 +42,45 @@ enum class FaultKind : std::uint8_t {
   over_limits,            // more triangles than allowed are over a limit
   too_far,                // a distance over the given bound
   not_measured,           // omitted, since it would cost more than n log n
+  count_
 };
-inline constexpr std::array<std::string_view, 26> kFaultNames{
-    "vertices not finite",
-    "duplicate vertices",
-    "unused vertices",
-    "degenerate triangles",
-    "duplicate triangles",
-    "non-manifold edges",
-    "orientation",
-    "non-manifold vertices",
-    "holes",
-    "self-intersections",
-    "needle triangles",
-    "folds",
-    "near vertices",
-    "vertices off surface",
-    "stray vertices",
-    "triangles off surface",
-    "missing components",
-    "extra components",
-    "different components",
-    "turned components",
-    "turned caps",
-    "no volume",
-    "restricted share",
-    "over limits",
-    "too far",
-    "not measured",
+inline constexpr std::size_t kFaultKinds = static_cast<std::size_t>(FaultKind::count_);
+struct FaultRow {
+  FaultKind value;
+  std::string_view name;
 };
-inline constexpr std::size_t kFaultKinds = kFaultNames.size();
+inline constexpr std::array<FaultRow, kFaultKinds> kFaultTable{{
+    {FaultKind::vertices_not_finite, "vertices not finite"},
+    {FaultKind::duplicate_vertices, "duplicate vertices"},
+    {FaultKind::unused_vertices, "unused vertices"},
+    {FaultKind::degenerate_triangles, "degenerate triangles"},
+    {FaultKind::duplicate_triangles, "duplicate triangles"},
+    {FaultKind::non_manifold_edges, "non-manifold edges"},
+    {FaultKind::orientation, "orientation"},
+    {FaultKind::non_manifold_vertices, "non-manifold vertices"},
+    {FaultKind::holes, "holes"},
+    {FaultKind::self_intersections, "self-intersections"},
+    {FaultKind::needle_triangles, "needle triangles"},
+    {FaultKind::folds, "folds"},
+    {FaultKind::near_vertices, "near vertices"},
+    {FaultKind::vertices_off_surface, "vertices off surface"},
+    {FaultKind::stray_vertices, "stray vertices"},
+    {FaultKind::triangles_off_surface, "triangles off surface"},
+    {FaultKind::missing_components, "missing components"},
+    {FaultKind::extra_components, "extra components"},
+    {FaultKind::different_components, "different components"},
+    {FaultKind::turned_components, "turned components"},
+    {FaultKind::turned_caps, "turned caps"},
+    {FaultKind::no_volume, "no volume"},
+    {FaultKind::restricted_share, "restricted share"},
+    {FaultKind::over_limits, "over limits"},
+    {FaultKind::too_far, "too far"},
+    {FaultKind::not_measured, "not measured"},
+}};
+static_assert(is_in_order(kFaultTable));
 
 constexpr std::string_view name_of(FaultKind kind) {
-  return kFaultNames[static_cast<std::size_t>(kind)];
+  return row_of(kFaultTable, kind).name;
 }
 
 struct Fault {

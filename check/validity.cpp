@@ -9,7 +9,7 @@
 #include "base/disjoint_sets.h"
 #include "base/text.h"
 #include "check/triangle_lists.h"
-#include "delaunay/predicates.h"
+#include "exact/predicates.h"
 #include "mesh/first_at_place.h"
 
 namespace deliso {
@@ -158,11 +158,11 @@ CleanMesh check_validity(const TriMesh& mesh, const Box3& box, MayEnd may_end, F
   out.points = mesh.points;
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
     if (is_finite(mesh.points[v])) continue;
-    faults.add(FaultKind::not_finite, text("vertex ", v, " has no finite position"), {});
+    faults.add(FaultKind::vertices_not_finite, text("vertex ", v, " has no finite position"), {});
     out.points[v] = {};
   }
   const std::vector<VertexId> first =
-      faults.count(FaultKind::not_finite) == 0 ? weld(mesh.points, faults) : [&] {
+      faults.count(FaultKind::vertices_not_finite) == 0 ? weld(mesh.points, faults) : [&] {
         std::vector<VertexId> same(mesh.points.size());
         std::iota(same.begin(), same.end(), VertexId(0));
         return same;

@@ -9,13 +9,13 @@
 #include "base/check.h"
 #include "base/triangle.h"
 #include "coarsen/contour_as_mesh.h"
+#include "deliso/mesh_isosurface.h"
 #include "guide/drawing.h"
 #include "guide/figures.h"
 #include "guide/handed.h"
 #include "guide/slice.h"
 #include "io/files/append_format.h"
 #include "io/volume/builtin_volume.h"
-#include "more/mesh_isosurface.h"
 #include "refine/operations.h"
 #include "refine/refine.h"
 #include "run/options.h"
@@ -128,8 +128,9 @@ void draw_operations(const std::string& folder) {
                                   Operation::flip,      Operation::removal,
                                   Operation::far_point, Operation::move};
   constexpr std::array<const char*, kRefusals> kColors = {
-      "#0072b2", "#004b75", "#e69f00", "#cc79a7", "#8c8c00",
-      "#56b4e9", "#999999", "#6a3d9a", "#c62828", "#cfd3d9"};
+      "#0072b2", "#004b75", "#e69f00", "#cc79a7", "#8c8c00", "#56b4e9",
+      "#999999", "#6a3d9a", "#c62828", "#cfd3d9", "#009e73", "#d55e00"};
+  static_assert(kColors.back() != nullptr);
   Drawing out(760, 356);
   constexpr double kLeft = 128, kWidth = 470, kTop = 44, kRow = 31;
   out.text({kLeft, 26}, "builtin:noise: what was tried, by operation, as shares", Anchor::start, 13,

@@ -239,11 +239,12 @@ class Merging {
   std::optional<Refusal> merge(VertexId from, VertexId to) {
     Gates gates;
     gates.surface_points = gates.orients_flat = ask_ != Ask::topology;
-    const auto refusal = merge_corner(r_, facet_[from], from, to, gates, [&](const Replacement& c) {
-      return !c.duals.empty() ||  // tested before
-             !orientation_.passes_component(c.cavity.disk, from, to);
-    });
-    if (refusal) return refusal == Refusal::no_gain ? Refusal::crossing : refusal;
+    const auto stays = [&](const Replacement& c) -> std::optional<Refusal> {
+      // Asked before the first dual.
+      if (!c.duals.empty() || !orientation_.passes_component(c.cavity.disk, from, to)) return {};
+      return Refusal::passes_component;
+    };
+    if (const auto refusal = merge_corner(r_, facet_[from], from, to, gates, stays)) return refusal;
     orientation_.merged(from, to);
     quadrics_[to].add(quadrics_[from]);
     error_[to] = quadrics_[to].at(r_.point(to));

@@ -252,7 +252,7 @@ void RefineGeom::enqueue(FaceId f, double at_least) {
 }
 
 std::optional<Reason> RefineGeom::fault(FaceId f, bool is_alone) const {
-  if (side_off_curve(f) < 3) return Reason::off_curve;
+  if (side_off_curve(f) < 3) return Reason::off_its_curve;
   if (violation_of(f) > 1) {
     return reason_of(worst_criterion(r_.shape(f), r_.parameters.refinement));
   }

@@ -124,12 +124,10 @@ std::optional<Refusal> Refinement::make(Proposal proposal, const Accept& accept)
   if (leaves_free_box(c)) return Refusal::frozen;
   put_in_place(c);
   std::optional<Refusal> refusal = test_shape(c);
-  if (!refusal && !accept(c)) refusal = Refusal::no_gain;
+  if (!refusal) refusal = accept(c);
   if (!refusal && leaves_sheet(c)) refusal = Refusal::other_sheet;
   for (std::ptrdiff_t allowed = facets_without_point(c); !refusal && !c.has_duals();) {
-    refusal = !find_dual(c, allowed) ? std::optional(Refusal::no_surface_point)
-              : !accept(c)           ? std::optional(Refusal::no_gain)
-                                     : std::nullopt;
+    refusal = find_dual(c, allowed) ? accept(c) : Refusal::no_surface_point;
   }
   if (!refusal && uncovers(c)) refusal = Refusal::uncovers;
   if (!refusal && crosses(c)) refusal = Refusal::crossing;

@@ -32,6 +32,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -79,20 +80,27 @@ class Refinement {
   // Returns the cavity of these facets, or null if they are not a disk. It is the only one until
   // the next call, and ends when a proposal for it is made.
   const Cavity* open(std::span<const FaceId> facets);
-  // True while the operation can still lower its quantity. Always, if it has none. It refers to a
-  // function of the caller.
+  // What the operation itself asks: a refusal, or nullopt while it can still lower its quantity. A
+  // function that returns false stands for no_gain. It refers to a function of the caller.
   class Accept {
    public:
     template <class Function>
     Accept(const Function& function)
-        : function_(&function), call_([](const void* f, const Replacement& c) {
-            return (*static_cast<const Function*>(f))(c);
+        : function_(&function),
+          call_([](const void* f, const Replacement& c) -> std::optional<Refusal> {
+            const auto answer = (*static_cast<const Function*>(f))(c);
+            if constexpr (!std::is_same_v<decltype(answer), const bool>) {
+              return answer;
+            } else if (!answer) {
+              return Refusal::no_gain;
+            }
+            return std::nullopt;
           }) {}
-    bool operator()(const Replacement& c) const { return call_(function_, c); }
+    std::optional<Refusal> operator()(const Replacement& c) const { return call_(function_, c); }
 
    private:
     const void* function_;
-    bool (*call_)(const void*, const Replacement&);
+    std::optional<Refusal> (*call_)(const void*, const Replacement&);
   };
   static constexpr auto always = [](const Replacement&) { return true; };
   // Makes the proposal and returns nullopt, or returns the test that refuses it and changes

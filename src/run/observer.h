@@ -28,7 +28,7 @@ enum class Reason : std::uint8_t {
   beginning,  // of a stage
   not_delaunay,
   no_surface_point,
-  off_curve,
+  off_its_curve,
   far_point,
   unneeded,  // of a vertex; those above are of facets
   too_near,  // of a facet folded onto another, or with a short edge; of a vertex to be moved off

@@ -11,37 +11,58 @@
 #include <string>
 #include <string_view>
 
+#include "base/enum_table.h"
 #include "base/topology_counts.h"
 #include "isosurface/isosurface.h"
 
 namespace deliso {
 
 enum class Counter : std::uint8_t {
-  // Stage 1
-  components_skipped,  // by --min-component
-  voxels_cut,          // voxels in which the exact contour was made of cells
-  voxels_crossed,      // voxels in which triangles of it cross all the same
-  unready_facets,      // facets handed over whose dual line misses Sigma within r
-  coarsened_again,     // coarsenings made again because the mesh came to cross itself
-  // Stage 2
-  unrefined_facets,  // facets left that violate a criterion
-  points_far,        // vertices of T left further from the mesh than asked for
-  // --cap
-  cap_edges_lifted,       // edges and triangles within a face of the box, given a vertex off it
-  cap_lifts_off_surface,  // those of them that found no point of Sigma
-  cap_not_lifted,         // vertices, edges and triangles that had to stay in a face of the box
-  cap_refused,            // cap triangles kept as they are, for the boundary edges next to them
+  components_skipped,
+  voxels_cut,
+  voxels_crossed,
+  unready_facets,
+  coarsened_again,
+  unrefined_facets,
+  points_far,
+  cap_edges_lifted,
+  cap_lifts_off_surface,
+  cap_not_lifted,
+  cap_refused,
   count_
 };
 inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::count_);
-inline constexpr std::array<std::string_view, kCounterCount> kCounterNames{
-    "components_skipped",    "voxels_cut",       "voxels_crossed", "unready_facets",
-    "coarsened_again",       "unrefined_facets", "points_far",     "cap_edges_lifted",
-    "cap_lifts_off_surface", "cap_not_lifted",   "cap_refused"};
-static_assert(!kCounterNames.back().empty());
+struct CounterRow {
+  Counter value;
+  std::string_view name, text;
+};
+inline constexpr std::array<CounterRow, kCounterCount> kCounterTable{{
+    // Stage 1
+    {Counter::components_skipped, "components_skipped",
+     "components left out by --min-component or --largest"},
+    {Counter::voxels_cut, "voxels_cut", "voxels in which the exact contour was made of cells"},
+    {Counter::voxels_crossed, "voxels_crossed",
+     "voxels in which triangles of it cross all the same"},
+    {Counter::unready_facets, "unready_facets",
+     "facets handed over whose dual line misses the surface within r"},
+    {Counter::coarsened_again, "coarsened_again",
+     "coarsenings made again because the mesh came to cross itself"},
+    // Stage 2
+    {Counter::unrefined_facets, "unrefined_facets", "facets left that violate a criterion"},
+    {Counter::points_far, "points_far", "vertices of T left further from the mesh than asked for"},
+    // --cap
+    {Counter::cap_edges_lifted, "cap_edges_lifted",
+     "edges and triangles within a face of the box, given a vertex off it"},
+    {Counter::cap_lifts_off_surface, "cap_lifts_off_surface",
+     "those of them that found no point of the surface"},
+    {Counter::cap_not_lifted, "cap_not_lifted",
+     "vertices, edges and triangles that had to stay in a face of the box"},
+    {Counter::cap_refused, "cap_refused",
+     "cap triangles kept as they are, for the boundary edges next to them"},
+}};
+static_assert(is_in_order(kCounterTable));
 
-// The operations of Stage 2, and why one is refused: by a gate (refine/refinement.h), or by the
-// operation itself.
+// The operations of Stage 2, and the figure of the paper that has one.
 enum class Operation : std::uint8_t {
   surface_point,
   foot,
@@ -53,37 +74,77 @@ enum class Operation : std::uint8_t {
   removal,
   count_
 };
+inline constexpr std::size_t kOperations = static_cast<std::size_t>(Operation::count_);
+struct OperationRow {
+  Operation value;
+  std::string_view name, figure, text;
+};
+inline constexpr std::array<OperationRow, kOperations> kOperationTable{{
+    {Operation::surface_point, "surface_point", "9",
+     "RefineGeom: the facet's surface point is inserted; the facets whose balls hold it, the disk "
+     "E, give way to the cone D"},
+    {Operation::foot, "foot", "", "another point of the surface near the facet is inserted"},
+    {Operation::boundary_split, "boundary_split", "9",
+     "an edge on the box is split at the middle of its arc"},
+    {Operation::flip, "flip", "", "an edge gives way to the other diagonal of its two facets"},
+    {Operation::collapse, "collapse", "", "a short edge is collapsed"},
+    {Operation::move, "move", "", "a vertex moves along the surface"},
+    {Operation::far_point, "far_point", "",
+     "a point of the surface that is too far from the mesh is inserted"},
+    {Operation::removal, "removal", "", "a vertex that no criterion needs is removed"},
+}};
+static_assert(is_in_order(kOperationTable));
+
+// Why an operation is refused: by a gate (refine/refinement.h), by the operation itself (""), or by
+// both.
 enum class Refusal : std::uint8_t {
-  not_a_disk,        // G1, or the facets of the cavity are no disk
-  swallows_vertex,   // an insertion itself: its cavity has a vertex inside
-  no_surface_point,  // G3
-  other_sheet,       // G3
-  too_close,         // an insertion itself: to a vertex of its cavity
-  boundary,          // an operation itself: on the box; or it would collapse an inserted vertex
-  turned,            // G2
-  no_gain,           // G4, or the operation itself: its quantity would not fall
-  uncovers,          // G4: of a removed vertex
-  crossing,          // G5
-  frozen,            // G0, or the operation itself
+  not_a_disk,
+  swallows_vertex,
+  no_surface_point,
+  other_sheet,
+  too_close,
+  boundary,
+  turned,
+  no_gain,
+  uncovers,
+  crossing,
+  frozen,
+  passes_component,
   count_
 };
-inline constexpr std::size_t kOperations = static_cast<std::size_t>(Operation::count_);
 inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::count_);
-inline constexpr std::array<std::string_view, kOperations> kOperationNames{
-    "surface_point", "foot", "boundary_split", "flip", "collapse", "move", "far_point", "removal"};
-inline constexpr std::array<std::string_view, kRefusals> kRefusalNames{
-    "not_a_disk", "swallows_vertex", "no_surface_point", "other_sheet", "too_close", "boundary",
-    "turned",     "no_gain",         "uncovers",         "crossing",    "frozen"};
-static_assert(!kOperationNames.back().empty() && !kRefusalNames.back().empty());
+struct RefusalRow {
+  Refusal value;
+  std::string_view name, gate, text;
+};
+inline constexpr std::array<RefusalRow, kRefusals> kRefusalTable{{
+    {Refusal::not_a_disk, "not_a_disk", "G1", "E or what takes its place is no disk"},
+    {Refusal::swallows_vertex, "swallows_vertex", "", "E has a vertex inside, which would go"},
+    {Refusal::no_surface_point, "no_surface_point", "G3",
+     "a new facet's dual line misses the surface"},
+    {Refusal::other_sheet, "other_sheet", "G3", "the point is on another sheet of the surface"},
+    {Refusal::too_close, "too_close", "", "the point is too near to a vertex of E"},
+    {Refusal::boundary, "boundary", "", "a boundary edge encroached upon that cannot be split"},
+    {Refusal::turned, "turned", "G2", "an edge would be too sharp, or a component reversed"},
+    {Refusal::no_gain, "no_gain", "",
+     "the mesh would not be better, or a new facet would break a criterion"},
+    {Refusal::uncovers, "uncovers", "G4", "a vertex would go that is too far from the new facets"},
+    {Refusal::crossing, "crossing", "G5", "a new facet would cross another"},
+    {Refusal::frozen, "frozen", "G0",
+     "it would change facets of another region, and is tried again later"},
+    {Refusal::passes_component, "passes_component", "",
+     "a vertex would be merged past another component"},
+}};
+static_assert(is_in_order(kRefusalTable));
 
 constexpr std::string_view name_of(Counter counter) {
-  return kCounterNames[static_cast<std::size_t>(counter)];
+  return row_of(kCounterTable, counter).name;
 }
 constexpr std::string_view name_of(Operation operation) {
-  return kOperationNames[static_cast<std::size_t>(operation)];
+  return row_of(kOperationTable, operation).name;
 }
 constexpr std::string_view name_of(Refusal refusal) {
-  return kRefusalNames[static_cast<std::size_t>(refusal)];
+  return row_of(kRefusalTable, refusal).name;
 }
 
 struct OperationCounts {

@@ -16,10 +16,10 @@
 #include "check/voxel_components.h"
 #include "coarsen/contour_as_mesh.h"
 #include "contour/voxel_topology.h"
+#include "deliso/mesh_isosurface.h"
 #include "fields.h"
 #include "mesh/meshes.h"
 #include "mesh/tri_mesh.h"
-#include "more/mesh_isosurface.h"
 #include "stress/judge.h"
 #include "stress/tiny_volume.h"
 #include "volume/sampled.h"
@@ -172,7 +172,7 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
     Parts p = sphere;
     p.points.push_back({0.5, std::numeric_limits<double>::quiet_NaN(), 0.5});
     const Verification v = good.verify_parts(p);
-    CHECK(v.faults.count(FaultKind::not_finite) == 1);
+    CHECK(v.faults.count(FaultKind::vertices_not_finite) == 1);
     CHECK(kinds_of(v.faults).size() <= 2);  // it is of no triangle either
   }
   SUBCASE("triangle with a corner twice") {

@@ -205,7 +205,7 @@ Findings judge_alone(const Outcome& run, unsigned exempt) {
   found[broken] = run.fault;
   if ((exempt & kPaper) != 0) return found;
   if (found[broken].empty()) {
-    found[broken] = first_of(faults, {not_finite, duplicate_vertices, unused_vertices,
+    found[broken] = first_of(faults, {vertices_not_finite, duplicate_vertices, unused_vertices,
                                       degenerate_triangles, duplicate_triangles, non_manifold_edges,
                                       orientation, non_manifold_vertices, holes});
   }

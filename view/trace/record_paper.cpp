@@ -34,7 +34,7 @@ constexpr const Codes& codes_of(paper::Reason reason) {
 
 // In the order of paper::Refusal.
 constexpr TraceOutcome kOutcomes[] = {TraceOutcome::vertex_there, TraceOutcome::split,
-                                      TraceOutcome::at_curve, TraceOutcome::not_a_disk};
+                                      TraceOutcome::beside_a_curve, TraceOutcome::no_disk};
 
 // Returns those of a that are not in b; both are ascending.
 std::vector<Triangle> difference(const std::vector<Triangle>& a, const std::vector<Triangle>& b) {

@@ -66,8 +66,8 @@ enum class TraceOutcome : std::uint8_t {
   done,
   split,
   vertex_there,
-  at_curve,
-  not_a_disk,
+  beside_a_curve,
+  no_disk,
   count_  // then the refusals of the exact program's Stage 2
 };
 

@@ -25,6 +25,5 @@ ReasonName name_of(PaperReason reason);
 
 // A refusal's name begins with "refused".
 ReasonName name_of(TraceOutcome outcome);
-std::string_view text_of(Refusal refusal);
 
 }  // namespace deliso

@@ -524,10 +524,10 @@ function names_in(file, from, shape) {
 }
 
 test('tables of colors: every operation and criterion, fixed, distinct, not red against green', () => {
-  const routines = names_in('view/trace/trace_names.cpp', 'RoutineName names[]', /\{"(\w+)"/g);
-  const operations = names_in('src/run/report.h', 'kOperationNames', /"(\w+)"/g);
+  const routines = names_in('view/trace/trace_names.cpp', 'name_of(Routine ', /Routine::\w+,\s*\{"(\w+)"/g);
+  const operations = names_in('src/run/report.h', 'kOperationTable', /Operation::\w+,\s*"(\w+)"/g);
   const reasons = ['Reason', 'PaperReason'].flatMap((kind) =>
-    names_in('view/trace/trace_names.cpp', `name_of(${kind} `, /\{"([^"]+)",/g));
+    names_in('view/trace/trace_names.cpp', `name_of(${kind} `, /Reason::\w+,\s*\{"([^"]+)",/g));
   assert.ok(routines.length === 8 && operations.length >= 7 && reasons.length >= 16);
   assert.deepEqual(Object.keys(kOperations), [...routines, ...operations]);
   for (const reason of [...reasons, ...kMeasured]) assert.ok(kCriteria[reason], reason);

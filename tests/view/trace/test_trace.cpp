@@ -16,11 +16,11 @@
 #include <vector>
 
 #include "base/box3.h"
-#include "delaunay/predicates.h"
+#include "deliso/mesh_isosurface.h"
+#include "exact/predicates.h"
 #include "fields.h"
 #include "mesh/meshes.h"
 #include "mesh/star.h"
-#include "more/mesh_isosurface.h"
 #include "paper/deliso.h"
 #include "recover/certified.h"
 #include "refine/refinement.h"
@@ -474,7 +474,7 @@ TEST_CASE("what calls for an insertion of the published program is what the trac
     CHECK(reasons[trace_code(static_cast<PaperReason>(n))] > 0);
   }
   for (const TraceOutcome outcome : {TraceOutcome::done, TraceOutcome::split,
-                                     TraceOutcome::at_curve, TraceOutcome::not_a_disk}) {
+                                     TraceOutcome::beside_a_curve, TraceOutcome::no_disk}) {
     CAPTURE(name_of(outcome).name);
     CHECK(outcomes[trace_code(outcome)] > 0);
   }
@@ -736,7 +736,7 @@ TEST_CASE("an operation is tried for a reason of its own, at a facet or a vertex
     }
   }
   for (std::size_t n = 0; n < kOperations; ++n) {
-    CAPTURE(kOperationNames[n]);
+    CAPTURE(kOperationTable[n].name);
     CHECK(tried[n] > 0);
   }
 }
