@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: MIT
 # What is each mechanism worth? Each patch here takes one out, or gives a constant another value that a
 # record of docs/decisions.md names. Its head says what it does, whose record defends the mechanism
-# ("Record: TITLE"), and options that its runs need, if any ("Options: --vertices 10000"). A switch is
-# made in a copy of the tree, where only what it touches is built again. Its program and the one
+# ("Record: TITLE"), options that its runs need, if any ("Options: --vertices 10000"), and, where meshes
+# do not tell what the mechanism is for, what does ("Judged: ..."): "by tests", which must fail with the
+# switch as with a mutant ("Tests: ROOM", make mutants); "by instructions", counted by Valgrind;
+# "by cores"; or "constant": neither value is better. A switch is made in a copy of the tree, where only what it touches is built again. Its program and the one
 # without it mesh five volumes, each in several quarter turns, and `quality` measures the meshes.
 # Usage: run.sh --check                   patches, records and the rows of the table fit together
 #        run.sh BUILD PAGE DATA [NAME...] BUILD has bench/quality; all switches, or these. Their rows go
@@ -16,7 +18,13 @@ source=$(cd "$here/../.." && pwd)
 
 if [ "$1" = --check ]; then
   wrong=0
-  for name in $(all_patches); do still_applies "$name" || wrong=1; done
+  for name in $(all_patches); do
+    still_applies "$name" || wrong=1
+    case $(head_of "$name" Judged):$(head_of "$name" Tests) in
+      "by tests":?* | "by instructions": | "by cores": | constant: | :) ;;
+      *) echo "$name: \"Judged\" and \"Tests\" do not fit"; wrong=1 ;;
+    esac
+  done
   patches=$(for name in $(all_patches); do printf '%s\t%s\n' "$name" "$(head_of "$name" Record)"; done)
   awk -v patches="$patches" -f "$here/check.awk" "$source/docs/decisions.md" || wrong=1
   echo "$(all_patches | wc -l | tr -d ' ') switches"
@@ -49,6 +57,14 @@ measure() {
   mv "$runs.part" "$runs"
 }
 
+# Prints the instructions of the program $1 on three built-in fields, a line each.
+instructions() {
+  for field in noise:32 gyroid:48 machine:48; do
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$1" "builtin:$field" --threads 1 -q \
+      -o "$work/counted.ply" 2>&1 | sed -n 's/.*Collected : //p'
+  done
+}
+
 # The base is the tree as it is. Its runs have the options of all switches.
 mkdir -p "$work"
 rm -rf "$work/tree" "$work/built"
@@ -76,10 +92,17 @@ for name in $names; do
   apply "$name" "$work/tree"
   build_program "$work/$name"
   measure "$work/$name" "$work/$name.tsv" --options "$(head_of "$name" Options)"
+  : >"$work/counts"
+  judged=$(head_of "$name" Judged)
+  if [ "$judged" = 'by instructions' ] && command -v valgrind >/dev/null; then
+    [ -f "$work/base.counts" ] || instructions "$work/base" >"$work/base.counts"
+    instructions "$work/$name" | paste "$work/base.counts" - >"$work/counts"
+  fi
   rm "$work/$name"
 
   # The rows of this switch and of the base go into the page, below those of the others.
   "$build/bench/quality" --switches "$work/base.tsv" "$work/$name.tsv" --markdown |
+    awk -v name="$name" -v judged="$judged" -f "$here/judge.awk" "$work/counts" - |
     awk -v on="$(echo "$volumes" | sed 's/,/, /g'), each in ${TURNS:-3} quarter turns" \
       -v day="$(date -u +%Y-%m-%d)" -f "$here/put.awk" - "$page" >"$work/page"
   cp "$work/page" "$page"
