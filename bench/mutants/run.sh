@@ -36,7 +36,7 @@ if [ "$1" != --one ]; then
   mkdir "$work/outcomes"
   doctest=$(sed -n 's/^DOCTEST_INCLUDE_DIR:PATH=//p' "$build/CMakeCache.txt")
   [ -d "$doctest" ] || doctest=$build/doctest-2.4.11
-  compile="${CXX:-c++} -std=c++20 -O1 -w -ffp-contract=off"
+  compile="${CXX:-c++} -std=c++20 -O1 -w -ffp-contract=off -DDELISO_SOURCE_DIR=\"$source\""
   includes="-I$source/src -I$source -I$build/generated -I$source/tests -idirafter $doctest"
   printed="-include $source/tests/printed.h"
   export build work compile includes printed

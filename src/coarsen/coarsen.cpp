@@ -58,7 +58,7 @@ std::vector<std::uint8_t> attempts(SurfaceMesh& s, const Given& given, double di
   const Volume& volume = given.surface.volume();
   const TriMesh before = s.mesh;
   const BoundaryChain chain = s.chain;
-  const MeshComponents components(before, chain, scope.free_box.first_free, volume.box());
+  MeshComponents components(before, chain, scope.free_box.first_free, volume.box());
   std::vector<std::uint8_t> kept = small_ones(components);
   for (int attempt = 1; attempt < kMostAttempts; ++attempt) {
     std::vector<std::uint8_t> changed = Coarsener(s, given, distance, scope, kept).run();
@@ -71,6 +71,11 @@ std::vector<std::uint8_t> attempts(SurfaceMesh& s, const Given& given, double di
     for (const std::uint32_t c : faults.components) is_faulty[c] = 1;
     s.mesh = before;
     s.chain = chain;
+    if (attempt == 1) {
+      std::ranges::fill(changed, 0);
+      components.leave_out(
+          embedding_faults(s, components, changed, scope.free_box, volume.box()).components);
+    }
     for (VertexId v = 0; v < kept.size(); ++v) {
       kept[v.number()] |= is_faulty[components.of[v]];
       if (faulty_voxels.empty()) continue;

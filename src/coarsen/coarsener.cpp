@@ -97,10 +97,8 @@ bool Coarsener::remove(VertexId v) {
 
 bool Coarsener::may_leave_boundary(VertexId v) const {
   const VertexId before = chain_.previous(v), next = chain_.next(v);
-  if (curves_.is_kept(chain_.place(v)) || curves_.is_on_fixed(chain_.place(v)) ||
-      chain_.next(next) == before || joined(before, next)) {
-    return false;
-  }
+  // Vertices of fixed arcs are kept. In a loop of three the neighbors are joined.
+  if (curves_.is_kept(chain_.place(v)) || joined(before, next)) return false;
   const CurvePoint a{chain_.place(before), mesh_.points[before]};
   const CurvePoint b{chain_.place(next), mesh_.points[next]};
   const double sagitta = std::min(test_.bound, kChainSagitta * distance(a.point, b.point));

@@ -49,7 +49,8 @@ class Embedding {
   void find_reversed() {
     const std::vector<double> bounded = components_.volumes(mesh_);
     for (std::uint32_t c = 0; c < bounded.size(); ++c) {
-      if (components_.origin[c] && !(bounded[c] * components_.bounded[c] > 0)) {
+      if (components_.origin[c] && !components_.is_left_out[c] &&
+          !(bounded[c] * components_.bounded[c] > 0)) {
         faults_.components.push_back(c);
       }
     }
@@ -64,7 +65,7 @@ class Embedding {
     }
     for (std::uint32_t c = 0; c < largest.size(); ++c) {
       const FaceId f = largest[c];
-      if (f == kNoId || largest.size() == 1) continue;
+      if (f == kNoId || largest.size() == 1 || components_.is_left_out[c]) continue;
       const Vec3 p = whole_.middle(f);
       if (!free_box_.holds(p)) continue;
       whole_.for_each_way_from(f, [&](int axis, double sign) {
@@ -101,6 +102,7 @@ MeshComponents::MeshComponents(const TriMesh& mesh, const BoundaryChain& chain, 
   const std::size_t count = of.empty() ? 0 : 1 + *std::ranges::max_element(of);
   size.resize(count);
   is_frozen.resize(count);
+  is_left_out.resize(count);
   origin.resize(count);
   std::vector<unsigned> met(count);  // faces of the box
   for (VertexId v = 0; v < of.size(); ++v) {

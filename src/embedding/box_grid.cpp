@@ -46,8 +46,8 @@ BoxGrid::Box BoxGrid::box_of(std::span<const Vec3> points) const {
       lo = std::min(lo, p[a]);
       hi = std::max(hi, p[a]);
     }
-    box.lo[axis] = static_cast<float>((lo - origin_[a]) * per_cell_) - margin_;
-    box.hi[axis] = static_cast<float>((hi - origin_[a]) * per_cell_) + margin_;
+    box.lo[axis] = static_cast<float>((lo - origin_[a]) * per_cell_);
+    box.hi[axis] = static_cast<float>((hi - origin_[a]) * per_cell_);
   }
   return box;
 }

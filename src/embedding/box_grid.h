@@ -6,9 +6,9 @@
 // There are grids of several sizes, each four times as coarse as the one before. A box is listed
 // once: in the cell of its low corner, in a grid with cells at least as large as the box. The cells
 // of a grid are wrapped into one table, those of a row side by side in memory. A list holds the
-// boxes themselves, in single precision, rounded outwards, in units of the smallest cell. Four
-// boxes are compared at once. So a query reads few and short runs of memory, and rejects nearly all
-// boxes without access to the mesh.
+// boxes themselves, in single precision, in units of the smallest cell. Rounding keeps the order of
+// coordinates, so boxes with a common point still meet. Four boxes are compared at once. So a query
+// reads few and short runs of memory, and rejects nearly all boxes without access to the mesh.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ class BoxGrid {
  public:
   using Id = std::uint32_t;  // the caller's; small numbers
 
-  // A box in cells, which holds its element.
+  // A box in cells.
   struct Box {
     std::array<float, 3> lo, hi;
   };
@@ -40,11 +40,11 @@ class BoxGrid {
   // Returns the side of the smallest cells.
   double cell() const { return 1 / per_cell_; }
 
-  // Returns the box of these points, rounded outwards.
+  // Returns the box of these points.
   Box box_of(std::span<const Vec3> points) const;
   Box box_of(const Vec3& point) const { return box_of(std::span(&point, 1)); }
   Box box_of(const std::vector<Vec3>& points, const Triangle& t) const;
-  // Returns the box of a ball, which may extend outside the grid's box.
+  // Returns the box of a ball, rounded outwards. It may extend outside the grid's box.
   Box box_around(const Vec3& center, double radius) const;
 
   void add(Id id, const Box& box);

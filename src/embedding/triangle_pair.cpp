@@ -2,7 +2,6 @@
 #include "embedding/triangle_pair.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "base/box3.h"
 #include "exact/predicates.h"
@@ -32,16 +31,10 @@ class PlaneOf {
     return sign_ * orient3d(p, q, r, apex_);
   }
 
+  // True if they meet and are not on one line.
   bool segments_meet(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) const {
     const int pqa = turn(p, q, a), pqb = turn(p, q, b);
-    if (pqa == 0 && pqb == 0) {  // on one line: the order of coordinates is that of points
-      const auto less = [](const Vec3& u, const Vec3& v) {
-        return std::tie(u.x, u.y, u.z) < std::tie(v.x, v.y, v.z);
-      };
-      return !less(std::max(p, q, less), std::min(a, b, less)) &&
-             !less(std::max(a, b, less), std::min(p, q, less));
-    }
-    return pqa * pqb <= 0 && turn(a, b, p) * turn(a, b, q) <= 0;
+    return (pqa != 0 || pqb != 0) && pqa * pqb <= 0 && turn(a, b, p) * turn(a, b, q) <= 0;
   }
 
   bool inside(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) const {
@@ -60,6 +53,7 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const V
   const int p_side = orient3d(a, b, c, p), q_side = orient3d(a, b, c, q);
   if (p_side * q_side > 0) return false;
   if (p_side == 0 && q_side == 0) {
+    // Where pq meets a side on its line and p is outside, it meets the next side in their corner.
     const PlaneOf plane(a, b, c);
     return plane.inside(p, a, b, c) || plane.segments_meet(p, q, a, b) ||
            plane.segments_meet(p, q, b, c) || plane.segments_meet(p, q, c, a);

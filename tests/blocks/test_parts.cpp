@@ -10,10 +10,13 @@
 #include "blocks/mesh_in_blocks.h"
 #include "cases.h"
 #include "deliso/mesh_isosurface.h"
+#include "io/volume/builtin_volume.h"
+#include "mesh/meshes.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;
 using stress::make_tiny_volume;
+using test::same_mesh;
 
 namespace {
 
@@ -68,6 +71,60 @@ TEST_CASE("parts are contiguous and hold every cell once") {
       CHECK(next == cells);
     }
   }
+}
+
+TEST_CASE("parts make the mesh and the counts of one process, and forged ones are refused") {
+  const Volume volume = make_builtin_volume("builtin:noise:17");
+  const VolumeSource source = source_of(volume);
+  Options options;
+  options.threads = 1;
+  options.block_side = 8;
+  options.components.largest = 3;
+  std::vector<Block> parts;
+  for (int n = 1; n <= 3; ++n) parts.push_back(mesh_part(source, 127, options, {n, 3}));
+  Report one, joined;
+  const TriMesh whole = mesh_isosurface(volume, 127, options, one);
+  CHECK(same_mesh(mesh_of_parts(source, 127, options, parts, joined), whole));
+  CHECK(joined.counters == one.counters);
+  CHECK(joined.insertions_refine == one.insertions_refine);
+  CHECK(one[Counter::components_skipped] > 0);
+
+  options.stop_after_stage1 = true;  // no work at seams
+  const auto refuses = [&](bool of_seam, auto&& forge) {
+    std::vector<Block> forged = parts;
+    for (Block& block : forged) {
+      TriMesh& mesh = block.mesh.mesh;
+      const BoundaryChain& chain = block.mesh.chain;
+      for (VertexId v = 0; v < mesh.points.size(); ++v) {
+        if (!chain.is_boundary(v) || is_on_seam(block, v) != of_seam) continue;
+        if (!forge(mesh.points, v, chain)) continue;
+        CHECK_THROWS_AS(mesh_of_parts(source, 127, options, forged, joined), InputError);
+        return;
+      }
+    }
+    FAIL("nothing was forged");
+  };
+  using Points = std::vector<Vec3>;
+  refuses(true, [&](Points& points, VertexId v, const BoundaryChain&) {  // open there
+    if (box_faces_at(points[v], volume.box()) != 0) return false;
+    points[v].x += 1e-3;
+    return true;
+  });
+  refuses(false, [](Points& points, VertexId v, const BoundaryChain&) {  // off the box
+    points[v] = 0.9 * points[v] + 0.1 * Vec3{8, 8, 8};
+    return true;
+  });
+  // At the place of another one of the same curve.
+  refuses(false, [&](Points& points, VertexId v, const BoundaryChain& chain) {
+    const VertexId before = chain.previous(v), place = chain.previous(before);
+    const Box3 box = volume.box();
+    if (place == v || !on_one_face(points[before], points[v], box) ||
+        !on_one_face(points[place], points[chain.next(v)], box)) {
+      return false;
+    }
+    points[v] = points[place];
+    return true;
+  });
 }
 
 TEST_CASE("both sides of a seam have the same vertices in the same places") {

@@ -4,7 +4,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
+#include "blocks/grid.h"
 #include "cases.h"
 #include "check/check_mesh.h"
 #include "check/self_intersections.h"
@@ -62,6 +65,16 @@ std::size_t crossings(const TriMesh& mesh) {
   return find_crossings(mesh.points, triangles, tree).pairs.size();
 }
 
+// A ridge along z, flat across the seam at x = 5: the two points where it leaves the seam on the
+// face z = 0 are far from each other, and the one between them is next to the seam.
+stress::TinyVolume ridge_on_seam() {
+  return {sampled<float>({11, 5, 8}, {1, 1, 1},
+                         [](int i, int j, int) {
+                           return i != 5 || j % 4 == 0 ? -91.0f : j == 2 ? 9.0f : -1.0f;
+                         }),
+          0};
+}
+
 }  // namespace
 
 TEST_CASE("the coarsened contour is embedded, of T's topology, and its vertices lie on Sigma") {
@@ -83,6 +96,7 @@ TEST_CASE("the coarsened contour is embedded, of T's topology, and its vertices 
     before += scene.contour.points.size();
     after += mesh.points.size();
     again += coarse.report[Counter::coarsened_again];
+    CHECK(coarse.report[Counter::coarsened_again] < 5);  // it comes to an end before all is kept
   }
   CHECK(after < before);
   CHECK(again > 0);  // some are in the draw
@@ -130,6 +144,47 @@ TEST_CASE(
       CHECK(std::abs(scene.volume.value(p) - scene.surface.kappa()) <= 1e-6);
     }
   }
+}
+
+TEST_CASE("chains stay near their curves with all kept points, and a seam stays as it is") {
+  std::size_t on_seams = 0;
+  Options options;
+  options.limits[Criterion::distance] = {1, Length::Unit::voxel};
+  options.limits[Criterion::r_over_l].value = 20;
+  for (std::uint64_t seed = 1; seed <= test::cases(300u); ++seed) {
+    CAPTURE(seed);
+    const auto tiny = seed == 1 ? ridge_on_seam() : make_tiny_volume(seed, 4, 11);
+    for (const SampleBox& box : BlockGrid(tiny.volume, 5).boxes()) {
+      Scene scene(samples_of(tiny.volume, box), tiny.isovalue);
+      if (scene.contour.points.empty()) continue;
+      const Coarse coarse(scene, options);
+      const auto& [mesh, duals, chain] = coarse.mesh;
+      const auto faces_at = [&](const Vec3& p) {
+        return box_faces_at(p, scene.volume.box()) & scene.volume.inner_faces();
+      };
+      std::set<std::pair<std::uint32_t, double>> places;
+      for (VertexId v = 0; v < mesh.points.size(); ++v) {
+        if (!chain.is_boundary(v)) continue;
+        const CurvePlace place = chain.place(v);
+        places.insert({place.loop, place.s});
+        const VertexId next = chain.next(v);
+        const Vec3 &p = mesh.points[v], &q = mesh.points[next];
+        CHECK_FALSE(coarse.curves.strays({place, p}, {chain.place(next), q}, 0.1 * distance(p, q)));
+        // The neighboring block may have an edge between two points of a seam, too.
+        if ((faces_at(p) & faces_at(q)) == 0) continue;
+        CHECK(coarse.curves.begins_fixed(place));
+        ++on_seams;
+      }
+      for (std::uint32_t loop = 0; loop < coarse.loops->size(); ++loop) {
+        for (std::size_t k = 0; k < coarse.curves.loop(loop).size(); ++k) {
+          const CurvePlace place{loop, static_cast<double>(k)};
+          if (!coarse.curves.is_kept(place) && !coarse.curves.is_on_fixed(place)) continue;
+          CHECK(places.contains({loop, place.s}));
+        }
+      }
+    }
+  }
+  CHECK(on_seams > 100);
 }
 
 TEST_CASE("what is not in the scope stays, and a change is told") {

@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <numbers>
+#include <vector>
 
 #include "coarsen/contour_as_mesh.h"
 #include "fields.h"
@@ -73,6 +75,42 @@ TEST_CASE("a reversed component is told") {
   FreeBox nothing;  // without lines
   nothing.hi.x = -1;
   CHECK(shells.faults(nothing).components == std::vector{shells.small});
+}
+
+TEST_CASE("of a component with a frozen facet nobody knows what it bounds") {
+  Shells shells;
+  const TriMesh& mesh = shells.mesh.mesh;
+  shells.components =
+      MeshComponents(mesh, shells.mesh.chain, FaceId(mesh.faces.size()), shells.box);
+  shells.change_small([](const Vec3& p) { return Vec3{31 - p.x, p.y, p.z}; });
+  FreeBox nothing;
+  nothing.hi.x = -1;
+  CHECK(shells.faults(nothing).components.empty());
+}
+
+TEST_CASE("a component bounds a volume together with the faces of the box in which it ends") {
+  constexpr double kRadius = 10, kSide = 31;
+  for (const Vec3& center :
+       {Vec3{15.5, 15.5, 15.5}, Vec3{15.5, 15.5, 0}, Vec3{kSide, 15.5, 0}, Vec3{kSide, 0, kSide}}) {
+    const Scene scene(
+        Volume::from_function({{0, 0, 0}, {kSide, kSide, kSide}}, {32, 32, 32},
+                              [&](const Vec3& p) { return kRadius - distance(p, center); }),
+        0);
+    const SurfaceMesh s = contour_as_mesh(scene.contour);
+    const MeshComponents components(s.mesh, s.chain, 0, scene.volume.box());
+    REQUIRE(components.count() == 1);
+    double ball = 4 * std::numbers::pi / 3 * kRadius * kRadius * kRadius;
+    for (int axis = 0; axis < 3; ++axis) ball /= center[axis] == 15.5 ? 1 : 2;
+    CHECK(components.bounded[0] / 6 == doctest::Approx(ball).epsilon(0.02));
+  }
+}
+
+TEST_CASE("a facet without an area is told") {
+  SurfaceMesh s;
+  s.mesh = make_tri_mesh({{1, 1, 1}, {2, 2, 2}, {4, 4, 4}}, std::vector<Triangle>{{0, 1, 2}});
+  const Box3 box{{0, 0, 0}, {9, 9, 9}};
+  const std::vector<std::uint8_t> changed{1};
+  CHECK(embedding_faults(s, {s.mesh, s.chain, 0, box}, changed, {}, box).facets.size() == 1);
 }
 
 TEST_CASE("a component on the wrong side of another is told, within the free box") {

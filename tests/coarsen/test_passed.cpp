@@ -42,11 +42,11 @@ constexpr Box3 kBox{{0, 0, 0}, {40, 40, 40}};
 
 // Returns the faults of a mesh that was another before.
 EmbeddingFaults faults_of(const std::vector<Octahedron>& before,
-                          const std::vector<Octahedron>& after) {
+                          const std::vector<Octahedron>& after, const FreeBox& free_box = {}) {
   const SurfaceMesh was = mesh_of(before), is = mesh_of(after);
   const MeshComponents components(was.mesh, was.chain, 0, kBox);
   const std::vector<std::uint8_t> changed(is.mesh.faces.size(), 1);
-  return embedding_faults(is, components, changed, {}, kBox);
+  return embedding_faults(is, components, changed, free_box, kBox);
 }
 
 }  // namespace
@@ -59,6 +59,9 @@ TEST_CASE("a component that was drawn through one sheet is found; beyond two she
   const EmbeddingFaults inside = faults_of({large, left}, {large, {{20.5, 20, 20}, 2}});
   CHECK(inside.components == std::vector<std::uint32_t>{1, 1, 1});
   CHECK(inside.facets.size() == 3);
+  // Beyond the free box facets may be missing.
+  const FreeBox near{0, {17, 17, 17}, {23, 23, 23}};
+  CHECK(faults_of({large, left}, {large, {{20.5, 20, 20}, 2}}, near).none());
 
   CHECK(faults_of({large, left}, {large, {{34, 20, 20}, 2}}).none());
 }

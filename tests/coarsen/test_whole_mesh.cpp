@@ -57,7 +57,7 @@ TEST_CASE("a line meets the nearest facet, near or far, up to its end") {
     for (FaceId f = 0; f < mesh.faces.size(); ++f) {
       const Vec3 p = whole.middle(f);
       for (int axis = 0; axis < 3; ++axis) {
-        for (const double end : {-1.0, p[axis] - 0.1, p[axis] + 0.1, 3.0}) {
+        for (const double end : {-1.0, p[axis] - 0.7, p[axis] + 0.1, p[axis] + 0.7, 3.0}) {
           const FaceId first = whole.first_met(f, p, axis, end);
           CHECK(first == nearest_of_all(mesh, f, p, axis, end));
           ++(first == kNoId ? nothing : met);

@@ -177,7 +177,7 @@ TEST_CASE("a grid that grows to thousands of facets still finds each of them") {
   }
 }
 
-TEST_CASE("the float bounds of a box hold its corners") {
+TEST_CASE("boxes and balls with a common point meet, in single precision, too") {
   Random random(4);
   for (int n = 0; n < 2000; ++n) {
     const double longest = std::pow(10.0, random.uniform(-6, 6));
@@ -191,7 +191,10 @@ TEST_CASE("the float bounds of a box hold its corners") {
     CHECK(BoxGrid::meet(grid.box_of(a), grid.box_of(b)));
     const std::vector<Vec3> points(a.begin(), a.end());
     CHECK(BoxGrid::meet(grid.box_of(points, {0, 1, 2}), grid.box_of(b)));
-    CHECK(BoxGrid::meet(grid.box_around(a[0], 0), grid.box_of(a)));
+    // A ball that reaches just to a point of the triangle.
+    Vec3 center = a[0];
+    center[static_cast<int>(random.below(3))] += longest * random.uniform(-1, 1);
+    CHECK(BoxGrid::meet(grid.box_around(center, distance(center, a[0])), grid.box_of(a[0])));
   }
 }
 
