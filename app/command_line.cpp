@@ -120,16 +120,16 @@ void take_builtin_isovalue(CommandLine& line) {
 
 // pre: there is an output.
 MeshFormat format_of(const CommandLine& line) {
-  if (line.write.format) return *line.write.format;
+  if (line.mesh.write.format) return *line.mesh.write.format;
   return line.output == "-" ? MeshFormat::ply : mesh_format_of(line.output);
 }
 
 // Refuses what has no meaning with --label.
 void check_labels(const CommandLine& line) {
-  if (!line.shared.empty()) {
+  if (!line.mesh.shared.empty()) {
     if (!line.field.all_labels) throw InputError("--shared is for --label all");
-    mesh_format_of(line.shared);
-    if (line.shared == line.output) throw InputError("-o and --shared name the same file");
+    mesh_format_of(line.mesh.shared);
+    if (line.mesh.shared == line.output) throw InputError("-o and --shared name the same file");
   }
   if (!line.field.of_labels()) return;
   if (line.isovalue) {
@@ -140,7 +140,7 @@ void check_labels(const CommandLine& line) {
   for (const auto& [option, name] :
        {std::pair<const char*, const std::string&>{"-o", line.output}, {"--json", line.json}}) {
     const std::size_t place = name.find("%d");
-    const bool holds_all = &name == &line.output ? in_one_file(line) : !line.shared.empty();
+    const bool holds_all = &name == &line.output ? in_one_file(line) : !line.mesh.shared.empty();
     if (name.empty() || holds_all) continue;
     if (place == std::string::npos || name.find('%') != place || name.rfind('%') != place) {
       throw InputError("--label all wants one %d in the name of ", option,
@@ -151,16 +151,17 @@ void check_labels(const CommandLine& line) {
 
 // The colors of a picture may need a volume, and an isovalue.
 void check_colors(CommandLine& line) {
-  const bool of_gradient = line.color_by == ColorBy::gradient && !line.section;
-  if (!of_gradient && line.color_by != ColorBy::distance && !line.section) {
+  const bool of_gradient = line.picture.color_by == ColorBy::gradient && !line.picture.section;
+  if (!of_gradient && line.picture.color_by != ColorBy::distance && !line.picture.section) {
     if (line.input.empty() && !reads_volume(line)) return;
     throw InputError(
         "--volume and its options are for --color-by distance and gradient, and --section");
   }
-  const std::string colors = line.section  ? "--section"
-                             : of_gradient ? "--color-by gradient"
-                                           : "--color-by distance";
-  if (line.section && line.clips.empty()) throw InputError("--section needs --clip PLANE");
+  const std::string colors = line.picture.section ? "--section"
+                             : of_gradient        ? "--color-by gradient"
+                                                  : "--color-by distance";
+  if (line.picture.section && line.picture.clips.empty())
+    throw InputError("--section needs --clip PLANE");
   if (line.input.empty()) {
     throw InputError(colors, " needs --volume INPUT", of_gradient ? "" : " --iso K");
   }
@@ -171,14 +172,14 @@ void check_colors(CommandLine& line) {
 
 void check_picture_name(const CommandLine& line) {
   if (line.output.empty()) throw InputError("no picture named: -o FILE.png, or -o -");
-  if (line.output != "-" && !line.output.ends_with(".png") && !line.render.keep_strokes) {
+  if (line.output != "-" && !line.output.ends_with(".png") && !line.picture.render.keep_strokes) {
     throw InputError("cannot write '", line.output, "': pictures are .png",
                      line.command == Command::render ? " or .svg" : "");
   }
 }
 
 void check_slices(const CommandLine& line) {
-  const RenderOptions& picture = line.render;
+  const RenderOptions& picture = line.picture.render;
   const bool is_drawn = picture.aim.look_at || picture.scale_bar || picture.size != PictureSize{};
   if (is_drawn || !line.output.empty()) check_picture_name(line);
 }
@@ -199,7 +200,7 @@ void check_meshes(const CommandLine& line) {
     if (std::ranges::find(kAllowed, name) != std::end(kAllowed)) continue;
     throw InputError(name, " means nothing between two meshes: it is about a volume");
   }
-  if (line.given.limits[Criterion::distance] &&
+  if (line.verify.given.limits[Criterion::distance] &&
       line.options.limits[Criterion::distance].unit == Length::Unit::voxel) {
     throw InputError("--max-distance in voxels means nothing between two meshes");
   }
@@ -227,39 +228,41 @@ void check_page(CommandLine& line) {
 void check_picture(CommandLine& line) {
   if (line.meshes.empty()) throw InputError("no mesh given: deliso render MESH -o PICTURE.png");
   check_streams(line);
-  if (line.overlay && (line.clips.size() > 1 || line.labels.size() > 1)) {
+  if (line.picture.overlay && (line.picture.clips.size() > 1 || line.picture.labels.size() > 1)) {
     throw InputError("--overlay has one panel: one plane for --clip, one text for --labels");
   }
-  if (line.render.aim.angle > 0 && line.render.scale_bar) {
+  if (line.picture.render.aim.angle > 0 && line.picture.render.scale_bar) {
     throw InputError("--scale-bar and --perspective exclude each other: nearer parts are larger");
   }
-  if (line.clips.size() > 1 && line.clips.size() != line.meshes.size()) {
+  if (line.picture.clips.size() > 1 && line.picture.clips.size() != line.meshes.size()) {
     throw InputError("--clip wants one plane, or one for each mesh");
   }
-  if (!line.labels.empty() && line.labels != std::vector<std::string>{"auto"} &&
-      line.labels.size() != (line.overlay ? 1 : line.meshes.size())) {
+  if (!line.picture.labels.empty() && line.picture.labels != std::vector<std::string>{"auto"} &&
+      line.picture.labels.size() != (line.picture.overlay ? 1 : line.meshes.size())) {
     throw InputError("--labels wants auto, or one text for each mesh as in 'before/after'");
   }
-  const double largest = largest_zoom(line.render.size);
-  if (line.render.aim.zoom > largest) {
+  const double largest = largest_zoom(line.picture.render.size);
+  if (line.picture.render.aim.zoom > largest) {
     throw InputError("--zoom wants at most ", static_cast<int>(largest),
                      " in a picture of that --size");
   }
   check_colors(line);
-  line.render.keep_strokes = line.output.ends_with(".svg");
+  line.picture.render.keep_strokes = line.output.ends_with(".svg");
   check_picture_name(line);
 }
 
 // Determines the format of the mesh's file, and refuses what it cannot hold.
 void check_file(CommandLine& line) {
-  if (!line.output.empty() && !line.write.format && !line.part) {
-    line.write.format = format_of(line);
+  if (!line.output.empty() && !line.mesh.write.format && !line.mesh.part) {
+    line.mesh.write.format = format_of(line);
   }
-  if (line.output.empty() && !line.shared.empty()) line.write.format = mesh_format_of(line.shared);
-  if (line.write.ascii && line.write.format != MeshFormat::ply) {
+  if (line.output.empty() && !line.mesh.shared.empty())
+    line.mesh.write.format = mesh_format_of(line.mesh.shared);
+  if (line.mesh.write.ascii && line.mesh.write.format != MeshFormat::ply) {
     throw InputError("--ply-ascii needs PLY output");
   }
-  if (line.attributes && !(line.write.format && holds_attributes(*line.write.format))) {
+  if (line.mesh.attributes &&
+      !(line.mesh.write.format && holds_attributes(*line.mesh.write.format))) {
     throw InputError("--attributes needs PLY, VTP or GLB output");
   }
 }
@@ -290,14 +293,14 @@ void check_combination(CommandLine& line) {
   }
   if (line.command == Command::render) return check_picture(line);
   if (line.command == Command::view) return check_page(line);
+  if (line.output == "-" && line.json == "-") {
+    throw InputError("-o and --json cannot both go to standard output");
+  }
   if (line.command == Command::join) return check_join(line);
   if (line.command == Command::check) check_streams(line);
   take_builtin_isovalue(line);
   if (line.command != Command::info && !has_level(line)) {
     throw InputError("no isovalue given: --iso K (deliso info INPUT shows the range)");
-  }
-  if (line.output == "-" && line.json == "-") {
-    throw InputError("-o and --json cannot both go to standard output");
   }
   if (line.command == Command::info) return check_slices(line);
   if (line.command == Command::trace) return check_page_name(line);
@@ -350,8 +353,9 @@ void check_exclusions(const CommandLine& line, const Given& given) {
   for (const std::string_view option : kNeverPaper) {
     if (line.paper && given(option)) refuse("--paper", option, "");
   }
-  if (line.part && line.field.all_labels) refuse("--part", "--label all", "");
-  if (line.part && line.output.empty()) throw InputError("no part named: -o FILE.part, or -o -");
+  if (line.mesh.part && line.field.all_labels) refuse("--part", "--label all", "");
+  if (line.mesh.part && line.output.empty())
+    throw InputError("no part named: -o FILE.part, or -o -");
 }
 
 // Warns of options that have no effect beside others.
@@ -367,11 +371,13 @@ void warn_of_ignored(CommandLine& line, const Given& given) {
       {"--eps1", stops, "with --stop-after stage1"},
       {"--eps2", stops, "with --stop-after stage1"},
       {"--single-stage", stops, "with --stop-after stage1"},
-      {"--restricted", line.command == Command::mesh && !line.check, "without --check"},
-      {"--format", !line.shared.empty() && line.output.empty(),
+      {"--restricted", line.command == Command::mesh && !line.mesh.check, "without --check"},
+      {"--format", !line.mesh.shared.empty() && line.output.empty(),
        "on the file of --shared, whose name tells its format"},
-      {"--color", line.color_by != ColorBy::side, "with --color-by of another kind than side"},
-      {"--occlusion", line.render.occlusion && line.render.opacity < 1, "with --opacity"},
+      {"--color", line.picture.color_by != ColorBy::side,
+       "with --color-by of another kind than side"},
+      {"--occlusion", line.picture.render.occlusion && line.picture.render.opacity < 1,
+       "with --opacity"},
   };
   for (const auto& row : rows) {
     if (!row.is_ignored || !given(row.option)) continue;
@@ -474,9 +480,9 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   line.command = command;
   take_paper(line, given);
   for (std::size_t n = 0; n < kCriteria; ++n) {
-    line.given.limits.values[n] = given(kCriterionWords[n].option);
+    line.verify.given.limits.values[n] = given(kCriterionWords[n].option);
   }
-  line.given.r_min = given("--rmin");
+  line.verify.given.r_min = given("--rmin");
   if (line.read.raw && !(given("--dims") && given("--type"))) {
     throw InputError("a raw file needs both --dims and --type");
   }

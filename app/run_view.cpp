@@ -79,7 +79,7 @@ int run_view(const CommandLine& line) {
   PageData data;
   JsonWriter header;
   std::string title, sizes;
-  const Up up = line.up.value_or(Up{});
+  const Up up = line.picture.up.value_or(Up{});
   header.add("kind", "view");
   header.add("up", {double(up.axis), up.sign});
   header.add("origin", {middle.x, middle.y, middle.z});
