@@ -22,13 +22,6 @@ std::string share_text(std::size_t part, std::size_t whole) {
   return text(part, part > 0 ? " (" + rounded(100 * share, 3) + " %)" : "");
 }
 
-// A figure of both reports: its key and meaning in the JSON, and its name in the text.
-struct Figure {
-  std::string_view key, label;
-  double value;
-  std::string_view words;
-};
-
 // How distances are spread, in this unit.
 std::array<Figure, 4> spread_of(const Distances& d, double unit) {
   return {{{"max", "max", d.max / unit, "the largest distance"},

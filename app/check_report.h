@@ -5,7 +5,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/command_line.h"
 #include "app/criteria_note.h"

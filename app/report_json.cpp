@@ -11,7 +11,6 @@
 #include "app/report_writer.h"
 #include "app/shared_labels.h"
 #include "app/solid.h"
-#include "app/text.h"
 #include "base/text.h"
 
 namespace deliso {
@@ -306,7 +305,7 @@ void add_shared(ReportWriter& out, const SharedRun& run) {
   add_input(out, run.input);
   add_options(out, run.line);
   out.open("seconds", "where the time went");
-  for (const Step& step : steps_of(run)) out.add_seconds(step.key, step.seconds, step.words);
+  for (const Figure& step : steps_of(run)) out.add_seconds(step.key, step.value, step.words);
   out.close();
   add_distance(out, run.report);
   add_operations(out, run.report);

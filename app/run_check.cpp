@@ -2,7 +2,6 @@
 // The check command: a mesh file and a volume in, a proof or a list of faults out.
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "app/bring_home.h"
 #include "app/check_report.h"

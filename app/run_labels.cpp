@@ -15,7 +15,6 @@
 #include "app/progress.h"
 #include "app/run.h"
 #include "app/signals.h"
-#include "app/text.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
 #include "base/text.h"

@@ -22,7 +22,6 @@
 #include "app/round_points.h"
 #include "app/run.h"
 #include "app/signals.h"
-#include "app/solid.h"
 #include "app/text.h"
 #include "base/check.h"
 #include "base/parallel.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // deliso mesh --label all --shared FILE: the files of labels that share their interfaces.
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -2,7 +2,6 @@
 // The view command: meshes from files in, a page for a browser out. Its points have single
 // precision. They are relative to the middle of all meshes, since a scanner's origin may be far
 // away.
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>

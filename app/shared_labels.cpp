@@ -50,8 +50,9 @@ SurfaceEstimate estimate_interfaces(std::span<const Volume> fields) {
   return all;
 }
 
-// Returns the labels' weighted indicators.
-std::vector<Volume> fields_of(SharedRun& run, Progress& progress) {
+// Makes the labels' weighted indicators and returns them. Fills in the labels' weights, and
+// seconds.
+std::vector<Volume> make_fields(SharedRun& run, Progress& progress) {
   const CommandLine& line = run.line;
   const Volume volume = run.input.volume();
   const Stopwatch watch;
@@ -161,7 +162,7 @@ void mesh_labels(SharedRun& run, Progress& progress) {
   const CommandLine& line = run.line;
   const Grid& volume = run.input.grid();
   require_limits(line.options, volume);
-  std::vector<Volume> fields = fields_of(run, progress);
+  std::vector<Volume> fields = make_fields(run, progress);
   warn_of_size(expected_vertices(estimate_interfaces(fields), volume, line.options), run.notes);
   progress.tell(run.notes);
   const Partition partition(volume, std::move(fields), background_of(run.labels),
@@ -189,9 +190,9 @@ void mesh_labels(SharedRun& run, Progress& progress) {
 // "fields 0.10, labels 0.01", in seconds; what took none is left out.
 std::string stages_text(const SharedRun& run) {
   std::string words;
-  for (const Step& step : steps_of(run)) {
-    if (step.label.empty() || step.seconds <= 0) continue;
-    words += text(words.empty() ? "" : ", ", step.label, " ", fixed(step.seconds, 2));
+  for (const Figure& step : steps_of(run)) {
+    if (step.label.empty() || step.value <= 0) continue;
+    words += text(words.empty() ? "" : ", ", step.label, " ", fixed(step.value, 2));
   }
   return words;
 }
@@ -283,7 +284,7 @@ CountedMesh counted_mesh(const SharedRun& run) {
           Options::kNoTarget, Options::kNoTarget,   all};
 }
 
-std::vector<Step> steps_of(const SharedRun& run) {
+std::vector<Figure> steps_of(const SharedRun& run) {
   const Report& report = run.report;
   return {{"read", "read", run.input.seconds, "reading, and looking at every sample once"},
           {"filter", "fields", run.input.field.seconds, "the labels' weights and fields"},

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/command_line.h"
@@ -17,6 +16,7 @@
 #include "app/label_table.h"
 #include "app/mesh_run.h"
 #include "app/progress.h"
+#include "app/report_writer.h"
 #include "check/place_faults.h"
 #include "check/quality.h"
 #include "io/mesh/write_mesh.h"
@@ -77,13 +77,8 @@ MeshWriteOptions options_of_label(const MeshWriteOptions& united, std::int64_t l
 // For a number that was asked for. The topology is that of all labels together.
 CountedMesh counted_mesh(const SharedRun& run);
 
-// A step of the run in both reports, by its key and its label; no label: in the JSON alone.
-struct Step {
-  std::string_view key, label;
-  double seconds;
-  std::string_view words;  // the meaning
-};
-std::vector<Step> steps_of(const SharedRun& run);
+// Returns the seconds of the steps.
+std::vector<Figure> steps_of(const SharedRun& run);
 
 std::string report_text(const SharedRun& run);
 std::string report_json(const SharedRun& run);

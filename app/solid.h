@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/report_writer.h"
+#include "base/frame.h"
 #include "check/verify.h"
-#include "volume/volume.h"
 
 namespace deliso {
 

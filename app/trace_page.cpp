@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/trace_page.h"
 
-#include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <vector>
 
 #include "app/criterion_words.h"

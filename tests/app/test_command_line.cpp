@@ -11,7 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "app/option_table.h"
 #include "app/parsed_line.h"
+#include "app/parts.h"
 #include "app/published.h"
 #include "base/check.h"
 #include "base/random.h"
@@ -857,4 +859,14 @@ TEST_CASE("--part is parsed, and options that a part cannot have are refused; pa
   CHECK(join.input == "v.nrrd");
   CHECK(join.output == "whole.stl");
   CHECK(join.mesh.write.format == MeshFormat::stl);
+  // It is the run of deliso mesh with the words of both.
+  PartFile part;
+  part.words = split("--iso=1 --cap");
+  const CommandLine whole = line_of_join(join, part);
+  CHECK(whole.words == split("--iso=1 --cap --output=whole.stl --check"));
+  CHECK((whole.mesh.check && whole.options.cap && whole.output == "whole.stl"));
+  for (const OptionSpec& spec : option_table()) {
+    const bool is_own = has_option(Command::join, spec) && spec.name != "--volume";
+    CHECK_MESSAGE((!is_own || has_option(Command::mesh, spec)), spec.name);
+  }
 }
