@@ -51,8 +51,8 @@ void advise_of_ties(MeshRun& run) {
   // Of integers the level lies off all samples (geometric_isovalue()).
   const SampleType type = run.input.grid().type();
   const bool is_float = type == SampleType::f32 || type == SampleType::f64;
-  if (!volume || run.input.field.label || !is_float || run.triangles == 0 ||
-      run.quality.min_angle >= kThinAngle || !is_whole(isovalue)) {
+  if (!volume || run.input.field.label || !is_float || run.found.triangles == 0 ||
+      run.found.quality.min_angle >= kThinAngle || !is_whole(isovalue)) {
     return;
   }
   bool equal = false;

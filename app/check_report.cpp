@@ -22,30 +22,18 @@ std::string share_text(std::size_t part, std::size_t whole) {
   return text(part, part > 0 ? " (" + rounded(100 * share, 3) + " %)" : "");
 }
 
-// `bound`: infinite if there is none.
-std::string distances_text(const char* name, const Distances& d, double bound, double voxel,
-                           const Grid& volume) {
-  if (d.points == 0) return text(name, "not measured\n");
-  const auto in_voxels = [&](double length) { return rounded(length / voxel); };
-  std::string line =
-      text(name, "max ", in_voxels(d.max), ", mean ", in_voxels(d.mean), ", rms ", in_voxels(d.rms),
-           ", 99.9 % ", in_voxels(d.quantile_999), " voxels, furthest at ",
-           place_text(volume.frame().to_world(d.furthest)), "\n");
-  if (bound < Options::kNone) {
-    line += text("          of ", d.points, " points ", share_text(d.beyond, d.points),
-                 " further than ", in_voxels(bound), " voxels");
-    if (d.beyond > 0) {
-      line += text(": ", d.too_far, " above r_min, ", d.beyond - d.too_far, " below");
-    }
-    line += "\n";
-  }
-  if (d.given_up > 0) {
-    line += "          " + counted(d.given_up, "point") + " given up\n";
-  }
-  if (d.not_found > 0) {
-    line += "          " + counted(d.not_found, "point") + " with no surface near by\n";
-  }
-  return line;
+// How distances are spread, in this unit.
+std::array<Figure, 4> spread_of(const Distances& d, double unit) {
+  return {{{"max", "max", d.max / unit, "the largest distance"},
+           {"mean", "mean", d.mean / unit, "the mean"},
+           {"rms", "rms", d.rms / unit, "the root of the mean square"},
+           {"quantile_999", "99.9 %", d.quantile_999 / unit, "what 99.9 % keep to"}}};
+}
+
+// "(x y z)".
+std::string place_text(const Vec3& p) {
+  return text("(", joined(std::array{p.x, p.y, p.z}, " ", [](double x) { return rounded(x, 7); }),
+              ")");
 }
 
 // "h <= 0.1 voxels, r/l <= 2; r_min = 0.5 voxels".
@@ -89,8 +77,7 @@ void add_distances(ReportWriter& out, std::string_view key, const Distances& d, 
           "of these, those at triangles above r_min, or further than r_min");
   out.add("beyond_bound_below_r_min", d.beyond - d.too_far, "the others, which r_min allows");
   out.add("not_found", d.not_found, "points with no surface near by");
-  out.add("given_up", d.given_up,
-          "points left out since too many triangles lie across each other there");
+  out.add("given_up", d.given_up, kGivenUpWords);
   out.close();
 }
 
@@ -115,18 +102,30 @@ std::string counts_text(const TopologyCounts& t) {
 
 }  // namespace
 
-void add_spread(ReportWriter& out, const Distances& d, double unit, std::string_view unit_words) {
-  out.add("points", d.points, "how many");
-  out.add("max", d.max / unit, text("the largest distance", unit_words));
-  out.add("mean", d.mean / unit, text("the mean", unit_words));
-  out.add("rms", d.rms / unit, text("the root of the mean square", unit_words));
-  out.add("quantile_999", d.quantile_999 / unit, text("what 99.9 % keep to", unit_words));
+std::string distances_text(const char* name, const Distances& d, double bound, double unit,
+                           std::string_view unit_name, const Frame& frame) {
+  if (d.points == 0) return text(name, "not measured\n");
+  const auto figure_text = [](const Figure& f) { return text(f.label, " ", rounded(f.value)); };
+  std::string line = text(name, joined(spread_of(d, unit), ", ", figure_text), unit_name,
+                          ", furthest at ", place_text(frame.to_world(d.furthest)), "\n");
+  if (bound < Options::kNone) {
+    line += text("          of ", d.points, " points ", share_text(d.beyond, d.points),
+                 " further than ", rounded(bound / unit), unit_name);
+    if (d.beyond > 0) {
+      line += text(": ", d.too_far, " above r_min, ", d.beyond - d.too_far, " below");
+    }
+    line += "\n";
+  }
+  if (d.given_up > 0) line += text("          ", counted(d.given_up, "point"), " given up\n");
+  if (d.not_found > 0) {
+    line += text("          ", counted(d.not_found, "point"), " with no surface near by\n");
+  }
+  return line;
 }
 
-std::string place_text(const Vec3& p) {
-  constexpr int kDigits = 7;
-  return text("(", rounded(p.x, kDigits), " ", rounded(p.y, kDigits), " ", rounded(p.z, kDigits),
-              ")");
+void add_spread(ReportWriter& out, const Distances& d, double unit, std::string_view unit_words) {
+  out.add("points", d.points, "how many");
+  for (const Figure& f : spread_of(d, unit)) out.add(f.key, f.value, text(f.words, unit_words));
 }
 
 VerifyOptions verify_options(const CommandLine& line, const Grid& volume,
@@ -135,15 +134,15 @@ VerifyOptions verify_options(const CommandLine& line, const Grid& volume,
   VerifyOptions options;
   options.threads = asked.threads;
   options.components = asked.components;
-  options.restricted_share = line.restricted_share;
-  options.triangulate = line.triangulate;
+  options.restricted_share = line.verify.restricted_share;
+  options.triangulate = line.verify.triangulate;
   options.solid = asked.cap;
   options.limits = resolve(asked, volume).refinement;
   options.limits.shape_floor = 0;
   // What the check command was given goes before the note. The mesh command notes what it was
   // given.
-  const CommandLine::Given given =
-      line.command == Command::check ? line.given : CommandLine::Given{};
+  const CheckChoice::Given given =
+      line.command == Command::check ? line.verify.given : CheckChoice::Given{};
   options.require_distance = given.limits[Criterion::distance];
   const bool by_note = noted && !(line.command == Command::check && line.paper);
   // Ours have every vertex on the surface, at any distance.
@@ -174,9 +173,7 @@ std::string verification_text(const Verification& v, const Grid& volume) {
                     text(v.equal_components, " alike");
   if (v.left_out > 0) out += text(", ", v.left_out, " left out");
   if (v.solid) {
-    out += "\nsolid     " + solid_text(v.solid->cap_vertices, v.solid->cap_triangles,
-                                       world_volume(v.solid->volume, volume.frame()),
-                                       v.solid->quality);
+    out += "\nsolid     " + solid_text(*v.solid, volume.frame());
     out += text("\n          ", v.solid->self_intersections, " self-intersections with caps");
     if (v.solid->close_places > 0)
       out += "\n          " + close_at_caps_text(v.solid->close_places);
@@ -189,8 +186,11 @@ std::string verification_text(const Verification& v, const Grid& volume) {
   out += text("\n", delaunay_text(v.delaunay));
   if (v.voronoi) out += voronoi_text(*v.voronoi);
   const double bound = v.limits[Criterion::distance];
-  out += distances_text("mesh->    ", v.to_surface, bound, voxel, volume);
-  out += distances_text("->mesh    ", v.from_surface, 2 * bound, voxel, volume);
+  const auto distances = [&](const char* name, const Distances& d, double most) {
+    return distances_text(name, d, most, voxel, " voxels", volume.frame());
+  };
+  out += distances("mesh->    ", v.to_surface, bound);
+  out += distances("->mesh    ", v.from_surface, 2 * bound);
   out += "criteria  " + limits_text(v.limits, voxel) + "\n" + over_text(v, voxel);
   if (v.boundary.edges > 0) out += boundary_text(v.boundary, voxel);
   return out + faults_text(v.faults, volume.frame());
@@ -229,10 +229,7 @@ void add_verification(ReportWriter& out, const Verification& v, const Grid& volu
   out.add("max_off_surface_voxels", v.max_off_surface / voxel,
           "the largest distance of a vertex beyond that; 0: none; voxels");
   const SolidSummary solid = v.solid.value_or(SolidSummary());
-  if (out.if_any(v.solid.has_value())) {
-    add_solid(out, solid.cap_vertices, solid.cap_triangles,
-              world_volume(solid.volume, volume.frame()), solid.quality);
-  }
+  if (out.if_any(v.solid.has_value())) add_solid(out, solid, volume.frame());
   out.optional(v.solid.has_value()).add("cap_close_places", solid.close_places, kCapClosePlaces);
   out.optional(v.solid.has_value())
       .add("cap_self_intersections", solid.self_intersections,

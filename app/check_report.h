@@ -5,7 +5,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/command_line.h"
 #include "app/criteria_note.h"
@@ -42,11 +41,14 @@ struct CheckRun {
 CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const CommandLine& line,
                              const Input& input, std::function<void(double)> progress = {});
 
-// Adds how distances are spread, in this unit.
+// Give how distances are spread, in this unit: aligned lines, with the points beyond the bound if
+// there is one, and members.
+std::string distances_text(const char* name, const Distances& d, double bound, double unit,
+                           std::string_view unit_name, const Frame& frame);
 void add_spread(ReportWriter& out, const Distances& d, double unit, std::string_view unit_words);
+inline constexpr const char* kGivenUpWords =
+    "points left out since too many triangles lie across each other there";
 
-// Returns "(x y z)".
-std::string place_text(const Vec3& p);
 // Give the faults, whose places are in this frame: aligned lines, and an object "faults".
 std::string faults_text(const Faults& faults, const Frame& frame);
 void add_faults(ReportWriter& out, const Faults& faults, const Frame& frame);

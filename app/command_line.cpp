@@ -2,9 +2,7 @@
 #include "app/command_line.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <limits>
 #include <numeric>
 #include <system_error>
 #include <utility>
@@ -120,75 +118,77 @@ void take_builtin_isovalue(CommandLine& line) {
 
 // pre: there is an output.
 MeshFormat format_of(const CommandLine& line) {
-  if (line.write.format) return *line.write.format;
+  if (line.mesh.write.format) return *line.mesh.write.format;
   return line.output == "-" ? MeshFormat::ply : mesh_format_of(line.output);
+}
+
+// Throws InputError with the words if the condition is true.
+template <class... Words>
+void refuse_if(bool condition, const Words&... words) {
+  if (condition) throw InputError(words...);
 }
 
 // Refuses what has no meaning with --label.
 void check_labels(const CommandLine& line) {
-  if (!line.shared.empty()) {
-    if (!line.field.all_labels) throw InputError("--shared is for --label all");
-    mesh_format_of(line.shared);
-    if (line.shared == line.output) throw InputError("-o and --shared name the same file");
+  if (!line.mesh.shared.empty()) {
+    refuse_if(!line.field.all_labels, "--shared is for --label all");
+    mesh_format_of(line.mesh.shared);
+    refuse_if(line.mesh.shared == line.output, "-o and --shared name the same file");
   }
   if (!line.field.of_labels()) return;
-  if (line.isovalue) {
-    throw InputError("--label and --iso exclude each other: a label has an isovalue of its own");
-  }
+  refuse_if(line.isovalue.has_value(),
+            "--label and --iso exclude each other: a label has an isovalue of its own");
   if (!line.field.all_labels) return;
-  if (line.command != Command::mesh) throw InputError("--label all is for deliso mesh");
+  refuse_if(line.command != Command::mesh, "--label all is for deliso mesh");
   for (const auto& [option, name] :
        {std::pair<const char*, const std::string&>{"-o", line.output}, {"--json", line.json}}) {
     const std::size_t place = name.find("%d");
-    const bool holds_all = &name == &line.output ? in_one_file(line) : !line.shared.empty();
+    const bool holds_all = &name == &line.output ? in_one_file(line) : !line.mesh.shared.empty();
     if (name.empty() || holds_all) continue;
-    if (place == std::string::npos || name.find('%') != place || name.rfind('%') != place) {
-      throw InputError("--label all wants one %d in the name of ", option,
-                       ", for the label: part-%d.ply; or all in one .glb, .3mf or .vtp");
-    }
+    refuse_if(place == std::string::npos || name.find('%') != place || name.rfind('%') != place,
+              "--label all wants one %d in the name of ", option,
+              ", for the label: part-%d.ply; or all in one .glb, .3mf or .vtp");
   }
 }
 
 // The colors of a picture may need a volume, and an isovalue.
 void check_colors(CommandLine& line) {
-  const bool of_gradient = line.color_by == ColorBy::gradient && !line.section;
-  if (!of_gradient && line.color_by != ColorBy::distance && !line.section) {
+  const PictureChoice& picture = line.picture;
+  const bool of_gradient = picture.color_by == ColorBy::gradient && !picture.section;
+  if (!of_gradient && picture.color_by != ColorBy::distance && !picture.section) {
     if (line.input.empty() && !reads_volume(line)) return;
     throw InputError(
         "--volume and its options are for --color-by distance and gradient, and --section");
   }
-  const std::string colors = line.section  ? "--section"
-                             : of_gradient ? "--color-by gradient"
-                                           : "--color-by distance";
-  if (line.section && line.clips.empty()) throw InputError("--section needs --clip PLANE");
-  if (line.input.empty()) {
-    throw InputError(colors, " needs --volume INPUT", of_gradient ? "" : " --iso K");
-  }
-  if (of_gradient && line.isovalue) throw InputError(colors, " takes no --iso");
+  const std::string colors = picture.section ? "--section"
+                             : of_gradient   ? "--color-by gradient"
+                                             : "--color-by distance";
+  refuse_if(picture.section && picture.clips.empty(), "--section needs --clip PLANE");
+  refuse_if(line.input.empty(), colors, " needs --volume INPUT", of_gradient ? "" : " --iso K");
+  refuse_if(of_gradient && line.isovalue, colors, " takes no --iso");
   take_builtin_isovalue(line);
-  if (!of_gradient && !has_level(line)) throw InputError(colors, " needs --iso K");
+  refuse_if(!of_gradient && !has_level(line), colors, " needs --iso K");
 }
 
 void check_picture_name(const CommandLine& line) {
-  if (line.output.empty()) throw InputError("no picture named: -o FILE.png, or -o -");
-  if (line.output != "-" && !line.output.ends_with(".png") && !line.render.keep_strokes) {
-    throw InputError("cannot write '", line.output, "': pictures are .png",
-                     line.command == Command::render ? " or .svg" : "");
-  }
+  refuse_if(line.output.empty(), "no picture named: -o FILE.png, or -o -");
+  refuse_if(
+      line.output != "-" && !line.output.ends_with(".png") && !line.picture.render.keep_strokes,
+      "cannot write '", line.output, "': pictures are .png",
+      line.command == Command::render ? " or .svg" : "");
 }
 
 void check_slices(const CommandLine& line) {
-  const RenderOptions& picture = line.render;
+  const RenderOptions& picture = line.picture.render;
   const bool is_drawn = picture.aim.look_at || picture.scale_bar || picture.size != PictureSize{};
   if (is_drawn || !line.output.empty()) check_picture_name(line);
 }
 
 void check_streams(const CommandLine& line) {
   const auto streams = std::count(line.meshes.begin(), line.meshes.end(), "-");
-  if (streams > 1) throw InputError("only one mesh can come from standard input");
-  if (streams > 0 && line.input == "-") {
-    throw InputError("mesh and volume cannot both come from standard input");
-  }
+  refuse_if(streams > 1, "only one mesh can come from standard input");
+  refuse_if(streams > 0 && line.input == "-",
+            "mesh and volume cannot both come from standard input");
 }
 
 // The check command of two meshes knows no volume.
@@ -199,77 +199,68 @@ void check_meshes(const CommandLine& line) {
     if (std::ranges::find(kAllowed, name) != std::end(kAllowed)) continue;
     throw InputError(name, " means nothing between two meshes: it is about a volume");
   }
-  if (line.given.limits[Criterion::distance] &&
-      line.options.limits[Criterion::distance].unit == Length::Unit::voxel) {
-    throw InputError("--max-distance in voxels means nothing between two meshes");
-  }
+  refuse_if(line.verify.given.limits[Criterion::distance] &&
+                line.options.limits[Criterion::distance].unit == Length::Unit::voxel,
+            "--max-distance in voxels means nothing between two meshes");
 }
 
 void check_page_name(const CommandLine& line) {
-  if (line.output.empty()) throw InputError("no page named: -o FILE.html, or -o -");
-  if (line.output != "-" && !line.output.ends_with(".html")) {
-    throw InputError("cannot write '", line.output, "': pages are .html");
-  }
+  refuse_if(line.output.empty(), "no page named: -o FILE.html, or -o -");
+  refuse_if(line.output != "-" && !line.output.ends_with(".html"), "cannot write '", line.output,
+            "': pages are .html");
 }
 
 void check_page(CommandLine& line) {
-  if (line.meshes.empty()) throw InputError("no mesh given: deliso view MESH -o PAGE.html");
-  if (line.meshes.size() > 2) throw InputError("a page shows one mesh, or two side by side");
+  refuse_if(line.meshes.empty(), "no mesh given: deliso view MESH -o PAGE.html");
+  refuse_if(line.meshes.size() > 2, "a page shows one mesh, or two side by side");
   check_streams(line);
-  if (line.input.empty() && reads_volume(line)) {
-    throw InputError("an isovalue, and how to read a volume, mean nothing without --volume INPUT");
-  }
+  refuse_if(line.input.empty() && reads_volume(line),
+            "an isovalue, and how to read a volume, mean nothing without --volume INPUT");
   take_builtin_isovalue(line);
-  if (!line.input.empty() && !has_level(line)) throw InputError("--volume needs --iso K");
+  refuse_if(!line.input.empty() && !has_level(line), "--volume needs --iso K");
   check_page_name(line);
 }
 
 void check_picture(CommandLine& line) {
-  if (line.meshes.empty()) throw InputError("no mesh given: deliso render MESH -o PICTURE.png");
+  PictureChoice& picture = line.picture;
+  refuse_if(line.meshes.empty(), "no mesh given: deliso render MESH -o PICTURE.png");
   check_streams(line);
-  if (line.overlay && (line.clips.size() > 1 || line.labels.size() > 1)) {
-    throw InputError("--overlay has one panel: one plane for --clip, one text for --labels");
-  }
-  if (line.render.aim.angle > 0 && line.render.scale_bar) {
-    throw InputError("--scale-bar and --perspective exclude each other: nearer parts are larger");
-  }
-  if (line.clips.size() > 1 && line.clips.size() != line.meshes.size()) {
-    throw InputError("--clip wants one plane, or one for each mesh");
-  }
-  if (!line.labels.empty() && line.labels != std::vector<std::string>{"auto"} &&
-      line.labels.size() != (line.overlay ? 1 : line.meshes.size())) {
+  refuse_if(picture.overlay && (picture.clips.size() > 1 || picture.labels.size() > 1),
+            "--overlay has one panel: one plane for --clip, one text for --labels");
+  refuse_if(picture.render.aim.angle > 0 && picture.render.scale_bar,
+            "--scale-bar and --perspective exclude each other: nearer parts are larger");
+  refuse_if(picture.clips.size() > 1 && picture.clips.size() != line.meshes.size(),
+            "--clip wants one plane, or one for each mesh");
+  if (!picture.labels.empty() && picture.labels != std::vector<std::string>{"auto"} &&
+      picture.labels.size() != (picture.overlay ? 1 : line.meshes.size())) {
     throw InputError("--labels wants auto, or one text for each mesh as in 'before/after'");
   }
-  const double largest = largest_zoom(line.render.size);
-  if (line.render.aim.zoom > largest) {
-    throw InputError("--zoom wants at most ", static_cast<int>(largest),
-                     " in a picture of that --size");
-  }
+  const double largest = largest_zoom(picture.render.size);
+  refuse_if(picture.render.aim.zoom > largest, "--zoom wants at most ", static_cast<int>(largest),
+            " in a picture of that --size");
   check_colors(line);
-  line.render.keep_strokes = line.output.ends_with(".svg");
+  picture.render.keep_strokes = line.output.ends_with(".svg");
   check_picture_name(line);
 }
 
 // Determines the format of the mesh's file, and refuses what it cannot hold.
 void check_file(CommandLine& line) {
-  if (!line.output.empty() && !line.write.format && !line.part) {
-    line.write.format = format_of(line);
+  if (!line.output.empty() && !line.mesh.write.format && !line.mesh.part) {
+    line.mesh.write.format = format_of(line);
   }
-  if (line.output.empty() && !line.shared.empty()) line.write.format = mesh_format_of(line.shared);
-  if (line.write.ascii && line.write.format != MeshFormat::ply) {
-    throw InputError("--ply-ascii needs PLY output");
-  }
-  if (line.attributes && !(line.write.format && holds_attributes(*line.write.format))) {
-    throw InputError("--attributes needs PLY, VTP or GLB output");
-  }
+  if (line.output.empty() && !line.mesh.shared.empty())
+    line.mesh.write.format = mesh_format_of(line.mesh.shared);
+  refuse_if(line.mesh.write.ascii && line.mesh.write.format != MeshFormat::ply,
+            "--ply-ascii needs PLY output");
+  refuse_if(line.mesh.attributes &&
+                !(line.mesh.write.format && holds_attributes(*line.mesh.write.format)),
+            "--attributes needs PLY, VTP or GLB output");
 }
 
 void check_join(CommandLine& line) {
-  if (line.meshes.empty()) {
-    throw InputError("no parts given: deliso join PART... --volume INPUT -o MESH");
-  }
-  if (line.input.empty()) throw InputError("no volume given: --volume INPUT, that of the parts");
-  if (line.output.empty()) throw InputError("no mesh named: -o FILE, or -o -");
+  refuse_if(line.meshes.empty(), "no parts given: deliso join PART... --volume INPUT -o MESH");
+  refuse_if(line.input.empty(), "no volume given: --volume INPUT, that of the parts");
+  refuse_if(line.output.empty(), "no mesh named: -o FILE, or -o -");
   check_streams(line);
   check_file(line);
 }
@@ -281,24 +272,19 @@ void check_combination(CommandLine& line) {
     check_streams(line);
     return check_meshes(line);
   }
-  if (line.command == Command::check && !line.meshes.empty() && line.input.empty()) {
-    throw InputError(
-        "check needs a mesh and a volume: deliso check MESH INPUT --iso K; or two meshes");
-  }
-  if (line.input.empty() && line.meshes.empty() && line.command != Command::join) {
-    throw InputError("no input given; --help shows how");
-  }
+  refuse_if(line.command == Command::check && !line.meshes.empty() && line.input.empty(),
+            "check needs a mesh and a volume: deliso check MESH INPUT --iso K; or two meshes");
+  refuse_if(line.input.empty() && line.meshes.empty() && line.command != Command::join,
+            "no input given; --help shows how");
   if (line.command == Command::render) return check_picture(line);
   if (line.command == Command::view) return check_page(line);
+  refuse_if(line.output == "-" && line.json == "-",
+            "-o and --json cannot both go to standard output");
   if (line.command == Command::join) return check_join(line);
   if (line.command == Command::check) check_streams(line);
   take_builtin_isovalue(line);
-  if (line.command != Command::info && !has_level(line)) {
-    throw InputError("no isovalue given: --iso K (deliso info INPUT shows the range)");
-  }
-  if (line.output == "-" && line.json == "-") {
-    throw InputError("-o and --json cannot both go to standard output");
-  }
+  refuse_if(line.command != Command::info && !has_level(line),
+            "no isovalue given: --iso K (deliso info INPUT shows the range)");
   if (line.command == Command::info) return check_slices(line);
   if (line.command == Command::trace) return check_page_name(line);
   check_file(line);
@@ -343,15 +329,14 @@ void check_exclusions(const CommandLine& line, const Given& given) {
   }
   if (line.command == Command::check) return;
   for (const std::string_view option : kOnlyPaper) {
-    if (given(option) && !line.paper) {
-      throw InputError(option, " belongs to --paper, the algorithm as published");
-    }
+    refuse_if(given(option) && !line.paper, option,
+              " belongs to --paper, the algorithm as published");
   }
   for (const std::string_view option : kNeverPaper) {
     if (line.paper && given(option)) refuse("--paper", option, "");
   }
-  if (line.part && line.field.all_labels) refuse("--part", "--label all", "");
-  if (line.part && line.output.empty()) throw InputError("no part named: -o FILE.part, or -o -");
+  if (line.mesh.part && line.field.all_labels) refuse("--part", "--label all", "");
+  refuse_if(line.mesh.part && line.output.empty(), "no part named: -o FILE.part, or -o -");
 }
 
 // Warns of options that have no effect beside others.
@@ -367,11 +352,13 @@ void warn_of_ignored(CommandLine& line, const Given& given) {
       {"--eps1", stops, "with --stop-after stage1"},
       {"--eps2", stops, "with --stop-after stage1"},
       {"--single-stage", stops, "with --stop-after stage1"},
-      {"--restricted", line.command == Command::mesh && !line.check, "without --check"},
-      {"--format", !line.shared.empty() && line.output.empty(),
+      {"--restricted", line.command == Command::mesh && !line.mesh.check, "without --check"},
+      {"--format", !line.mesh.shared.empty() && line.output.empty(),
        "on the file of --shared, whose name tells its format"},
-      {"--color", line.color_by != ColorBy::side, "with --color-by of another kind than side"},
-      {"--occlusion", line.render.occlusion && line.render.opacity < 1, "with --opacity"},
+      {"--color", line.picture.color_by != ColorBy::side,
+       "with --color-by of another kind than side"},
+      {"--occlusion", line.picture.render.occlusion && line.picture.render.opacity < 1,
+       "with --opacity"},
   };
   for (const auto& row : rows) {
     if (!row.is_ignored || !given(row.option)) continue;
@@ -426,7 +413,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   for (; at < arguments.size(); ++at) {
     const std::string_view argument = arguments[at];
     if (options_end || argument == "-" || !argument.starts_with('-')) {
-      if (argument.empty()) throw InputError("the input's name is empty");
+      refuse_if(argument.empty(), "the input's name is empty");
       if (command == Command::render || command == Command::view || command == Command::join ||
           (command == Command::check && line.meshes.empty())) {
         line.meshes.emplace_back(argument);
@@ -448,23 +435,19 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
     const std::size_t equals = argument.starts_with("--") ? argument.find('=') : argument.npos;
     const OptionSpec& spec = find_option(argument.substr(0, equals));
     const auto number = static_cast<std::size_t>(&spec - option_table().data());
-    if (seen[number]) throw InputError(spec.name, " is given twice");
+    refuse_if(seen[number], spec.name, " is given twice");
     seen[number] = true;
-    if (!has_option(command, spec)) {
-      throw InputError(spec.name, " has no meaning for deliso ",
-                       command_table()[static_cast<std::size_t>(command)].name);
-    }
+    refuse_if(!has_option(command, spec), spec.name, " has no meaning for deliso ",
+              command_table()[static_cast<std::size_t>(command)].name);
     const bool is_switch = spec.argument.empty();
     std::string_view value;
     if (equals != argument.npos) {
-      if (is_switch) throw InputError(spec.name, " takes no value");
+      refuse_if(is_switch, spec.name, " takes no value");
       value = argument.substr(equals + 1);
     } else if (!is_switch && ++at < arguments.size()) {
       value = arguments[at];
     }
-    if (!is_switch && value.empty()) {
-      throw InputError(spec.name, " needs a value: ", spec.argument);
-    }
+    refuse_if(!is_switch && value.empty(), spec.name, " needs a value: ", spec.argument);
     spec.apply(line, spec.name, value);
     line.words.push_back(text(spec.name, is_switch ? "" : "=", value));
     if (named) line.help_of = arguments[0];
@@ -474,12 +457,11 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   line.command = command;
   take_paper(line, given);
   for (std::size_t n = 0; n < kCriteria; ++n) {
-    line.given.limits.values[n] = given(kCriterionWords[n].option);
+    line.verify.given.limits.values[n] = given(kCriterionWords[n].option);
   }
-  line.given.r_min = given("--rmin");
-  if (line.read.raw && !(given("--dims") && given("--type"))) {
-    throw InputError("a raw file needs both --dims and --type");
-  }
+  line.verify.given.r_min = given("--rmin");
+  refuse_if(line.read.raw && !(given("--dims") && given("--type")),
+            "a raw file needs both --dims and --type");
   check_labels(line);
   check_exclusions(line, given);
   check_combination(line);

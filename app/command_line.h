@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -49,24 +48,30 @@ struct FieldOptions {
   bool any() const { return of_labels() || median > 0 || smooth; }
 };
 
-struct CommandLine {
-  Command command = Command::mesh;
-  std::string help_of;  // of the help command: one command, or a text for other programs
-  // A path, builtin:NAME[:SIZE], or - for standard input. Pictures need it only for some colors.
-  std::string input;
-  // Paths, or - for standard input: one to check, several to draw or show. Parts to join: paths.
-  std::vector<std::string> meshes;
-  std::string output;  // a path, - for standard output, or empty: no mesh is written
-  std::string json;    // a path, - or empty
-  std::string shared;  // a path or empty: the mesh of all labels' interfaces
-  std::optional<double> isovalue;
+// Of mesh and join: the files, and what is looked at. A part has none of these options but its own.
+struct MeshChoice {
   std::optional<PartChoice> part;  // only this part is meshed
-  std::vector<std::string> words;  // the options as they were given, as --name=value or --name
-  ReadOptions read;
-  FieldOptions field;
-  MeshWriteOptions write;  // its format is set if there is an output
-  Options options;
-  paper::Options published;  // with --paper: what it alone has (app/published.h)
+  std::string shared;              // a path or empty: the mesh of all labels' interfaces
+  MeshWriteOptions write;          // its format is set if there is an output
+  bool attributes = false;         // in the mesh's file
+  bool allow_empty = false;
+  bool check = false;
+  bool verbose = false;
+};
+
+// Of check, and of the --check of mesh.
+struct CheckChoice {
+  struct Given {
+    PerCriterion<bool> limits;
+    bool r_min = false;
+  } given;                      // limits from options, not from the mesh's file or defaults
+  double restricted_share = 0;  // the least that is accepted
+  bool triangulate = false;     // Voronoi edges are counted, too
+  Length tolerance;             // if larger than what the digits of the mesh give
+};
+
+// Of render; of view, trace and info some.
+struct PictureChoice {
   RenderOptions render;
   std::vector<std::optional<ClipChoice>> clips;  // none, one for all meshes, or one for each
   std::vector<std::string> labels;               // none, "auto" for all, or one for each mesh
@@ -74,24 +79,40 @@ struct CommandLine {
   bool section = false;  // the cuts of clips are filled with the gray values of the volume
   bool axes = false;
   bool overlay = false;
-  std::optional<Up> up;    // absent: superior if the file tells, else +z
-  bool paper = false;      // the published program; of a check, the paper's criteria
-  bool certified = false;  // with the certified Stage 1
-  struct Given {
-    PerCriterion<bool> limits;
-    bool r_min = false;
-  } given;  // of a check: limits from options, not from the mesh's file or defaults
-  std::size_t trace_limit = 200'000;  // events
-  bool trace_times = true;
-  bool attributes = false;  // in the mesh's file
-  bool allow_empty = false;
-  bool check = false;
-  double restricted_share = 0;  // the least that a check accepts
-  bool triangulate = false;     // a check also counts Voronoi edges
-  Length tolerance;             // of a check, if larger than what the digits of the mesh give
+  std::optional<Up> up;  // absent: superior if the file tells, else +z
+};
+
+struct TraceChoice {
+  std::size_t limit = 200'000;  // events
+  bool times = true;
+};
+
+struct CommandLine {
+  Command command = Command::mesh;
+  std::string help_of;             // of the help command: one command, or a text for other programs
+  std::vector<std::string> words;  // the options as they were given, as --name=value or --name
   bool quiet = false;
-  bool verbose = false;
   Diagnostics notes;  // of the options themselves
+
+  // A path, builtin:NAME[:SIZE], or - for standard input. Pictures need it only for some colors.
+  std::string input;
+  // Paths, or - for standard input: one to check, several to draw or show. Parts to join: paths.
+  std::vector<std::string> meshes;
+  std::string output;  // a path, - for standard output, or empty: no mesh is written
+  std::string json;    // a path, - or empty
+
+  std::optional<double> isovalue;
+  ReadOptions read;
+  FieldOptions field;
+  Options options;
+  bool paper = false;        // the published program; of a check, the paper's criteria
+  bool certified = false;    // with the certified Stage 1
+  paper::Options published;  // with --paper: what it alone has (app/published.h)
+
+  MeshChoice mesh;
+  CheckChoice verify;
+  PictureChoice picture;
+  TraceChoice trace;
 };
 
 // True if a number of vertices or triangles is required instead of a bound on the distance.

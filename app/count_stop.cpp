@@ -15,7 +15,8 @@ constexpr double kMaxMissingShare = 0.02;
 
 struct Count {
   bool of_triangles;
-  std::size_t wanted, refined, now;  // asked for; when Stage 2 ended; in the surface
+  std::size_t wanted, refined,
+      now;  // asked for; when Stage 2 ended; in the surface
 };
 
 Count count_of(const CountedMesh& mesh) {
@@ -44,11 +45,11 @@ CountedMesh counted_mesh(const MeshRun& run) {
   const Report& report = run.report;
   const bool capped = run.line.options.cap;
   return {run.line.options,
-          capped ? report.cap.surface_vertices : run.vertices,
-          capped ? report.cap.surface_triangles : run.triangles,
+          capped ? report.cap.surface_vertices : run.found.vertices,
+          capped ? report.cap.surface_triangles : run.found.triangles,
           report.vertices_refined,
           report.triangles_refined,
-          run.mesh};
+          run.found.topology};
 }
 
 CountStop count_stop(const CountedMesh& mesh) {

@@ -42,8 +42,4 @@ static_assert(std::ranges::equal(
     kCriterionWords, kCriterionTable, {},
     [](const CriterionWords& words) { return words.option.substr(2); }, &CriterionRow::name));
 
-constexpr const CriterionWords& words_of(Criterion c) {
-  return kCriterionWords[static_cast<std::size_t>(c)];
-}
-
 }  // namespace deliso

@@ -87,14 +87,15 @@ Values of_each(std::span<const TriMesh> meshes, F f) {
 
 FacetColors color_facets(std::span<const TriMesh> meshes, std::span<const MeshNotes> notes,
                          const CommandLine& line, const Input* input) {
-  if (line.color_by == ColorBy::side) return {std::vector<std::vector<Rgb>>(meshes.size()), {}, {}};
-  if (line.color_by == ColorBy::label) return by_label(notes, line);
-  if (line.color_by == ColorBy::component) return by_component(meshes);
-  if (line.color_by == ColorBy::angle) {
+  const ColorBy color_by = line.picture.color_by;
+  if (color_by == ColorBy::side) return {std::vector<std::vector<Rgb>>(meshes.size()), {}, {}};
+  if (color_by == ColorBy::label) return by_label(notes, line);
+  if (color_by == ColorBy::component) return by_component(meshes);
+  if (color_by == ColorBy::angle) {
     return by_value(of_each(meshes, smallest_angles), {"smallest angle (degrees)", 60, false});
   }
   const Volume& volume = input->volume();
-  const bool of_distance = line.color_by == ColorBy::distance;
+  const bool of_distance = color_by == ColorBy::distance;
   const Values values = of_each(meshes, [&](TriMesh mesh) {
     bring_home(mesh, volume);
     return of_distance ? distances_in_voxels(mesh, volume, *input->isovalue)

@@ -2,7 +2,6 @@
 #include "app/field.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "app/solid.h"
 #include "app/text.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>

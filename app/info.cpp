@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "app/component_table.h"
 #include "app/text.h"
 #include "app/topology.h"
 #include "base/stopwatch.h"

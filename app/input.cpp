@@ -14,7 +14,6 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "io/files/text_scan.h"
-#include "io/filter/histogram.h"
 #include "io/filter/looks_like_labels.h"
 #include "io/filter/nan_samples.h"
 #include "io/filter/thresholds.h"

@@ -13,6 +13,7 @@
 #include "app/command_line.h"
 #include "app/input.h"
 #include "app/progress.h"
+#include "app/solid.h"
 #include "app/topology.h"
 #include "base/stopwatch.h"
 #include "check/close_places.h"
@@ -25,6 +26,35 @@
 
 namespace deliso {
 
+// What a look at the mesh tells.
+struct Examination {
+  std::size_t vertices = 0, triangles = 0;
+  TopologyCounts topology;     // of the surface
+  std::string fault;           // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
+  MeshQuality quality;         // of the surface
+  ClosePlaces close;           // of the surface
+  SolidSummary solid;          // with --cap; of labels the volume alone
+  double max_off_surface = 0;  // of vertices that --cap needs off the surface; scaled frame
+};
+
+// Faults of the mesh as it is in the file, and as it would be in double precision, near the origin.
+// Counted with --cap, if coordinates are rounded to float or far from the origin, and if the
+// contour crossed itself in some voxel.
+struct AsWritten {
+  PlaceFaults faults, in_double;
+  std::size_t mended = 0;          // vertices not at the nearest float, so that there are fewer
+  std::optional<TriMesh> rounded;  // the mesh with these vertices, to be written
+
+  PlaceFaults by_rounding() const { return faults.beyond(in_double); }
+};
+
+// Seconds of wall clock, and what the process has held.
+struct RunCost {
+  double check = 0, write = 0, total = 0;
+  std::uint64_t peak_bytes = 0;
+};
+std::string cost_text(const RunCost& cost);
+
 struct MeshRun {
   MeshRun(const CommandLine& command_line, const Input& volume_input)
       : line(command_line), input(volume_input), notes(volume_input.log.notes) {}
@@ -34,27 +64,13 @@ struct MeshRun {
   Diagnostics notes;           // those of the input, and the run's own
   bool is_one_of_all = false;  // of --label all: the border is told of for all labels at once
 
+  // In the order in which they are made.
   Report report;
   paper::Report published;  // with --paper
-  std::size_t vertices = 0, triangles = 0;
-  TopologyCounts mesh;
-  std::string fault;        // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
-  MeshQuality quality;      // of the surface
-  MeshQuality cap_quality;  // with --cap
-  ClosePlaces close;        // of the surface
-  std::size_t close_at_caps = 0;  // with --cap: count_at_caps()
-  double max_off_surface = 0;     // of vertices that --cap needs off the surface; scaled frame
-  double volume = 0;              // if has_volume(): inside mesh and caps, in world units
-  // Of the mesh as it is in the file, and as it would be in double precision, near the origin.
-  // Counted with --cap, if coordinates are rounded to float or far from the origin, and if the
-  // contour crossed itself in some voxel.
-  PlaceFaults written, in_double;
-  std::size_t mended = 0;  // vertices not at the nearest float, so that there are fewer faults
-  std::optional<TriMesh> rounded;            // the mesh with these vertices, to be written
+  Examination found;
+  AsWritten written;
   std::optional<Verification> verification;  // with --check
-
-  double seconds_check = 0, seconds_write = 0, seconds_total = 0;
-  std::uint64_t peak_bytes = 0;  // of the process
+  RunCost cost;
 
   bool has_solid() const { return line.options.cap && report.cap.failure.empty(); }
   // True if it is closed: by caps, or as the surface of labels inside the box.
@@ -68,21 +84,21 @@ struct MeshRun {
   }
   // True if the inside has a part of the volume's border, or all of it: then no loop tells.
   bool reaches_border() const {
-    return mesh.boundary_loops > 0 || input.volume().sample(0, 0, 0) >= *input.isovalue;
+    return found.topology.boundary_loops > 0 || input.volume().sample(0, 0, 0) >= *input.isovalue;
   }
-  // Returns the share by which it differs from the volume of the label's voxels.
-  double volume_difference() const { return volume / input.field.label->volume - 1; }
+  // Returns the volume inside mesh and caps, in world units. pre: has_volume().
+  double volume() const { return world_volume(found.solid.volume, input.grid().frame()); }
   // Returns the pairs of triangles that cross in the file. 0 where none were looked for, since no
   // step of the exact program makes any.
   std::size_t crossings() const {
     const std::size_t checked =
         verification ? verification->faults.count(FaultKind::self_intersections) : 0;
-    return std::max(written.crossings, checked);
+    return std::max(written.faults.crossings, checked);
   }
-  PlaceFaults by_rounding() const { return written.beyond(in_double); }
   bool sound() const {
-    return fault.empty() && report.cap.failure.empty() && by_rounding().count() == 0 &&
-           !(has_solid() && written.crossings > 0) && !(verification && verification->faults.any());
+    return found.fault.empty() && report.cap.failure.empty() &&
+           written.by_rounding().count() == 0 && !(has_solid() && written.faults.crossings > 0) &&
+           !(verification && verification->faults.any());
   }
 };
 

@@ -6,7 +6,6 @@
 #include <bit>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -102,46 +101,46 @@ constexpr OptionSpec kInputAndOutput[] = {
      ".html, joined parts as deliso mesh writes them"},
     {"--format", 0, "ply|off|obj|stl|vtp|glb|3mf|smesh|poly", kMeshAndJoin,
      "format of the mesh, whatever FILE's ending is",
-     [](Line& l, Text o, Text v) { l.write.format = choose<MeshFormat>(o, v); }},
+     [](Line& l, Text o, Text v) { l.mesh.write.format = choose<MeshFormat>(o, v); }},
     {"--ply-ascii", 0, "", kMeshAndJoin, "PLY as text instead of binary",
-     [](Line& l, Text, Text) { l.write.ascii = true; }},
+     [](Line& l, Text, Text) { l.mesh.write.ascii = true; }},
     {"--float", 0, "", kMeshAndJoin, "coordinates in single precision",
-     [](Line& l, Text, Text) { l.write.single_precision = true; }},
+     [](Line& l, Text, Text) { l.mesh.write.single_precision = true; }},
     {"--double", 0, "", kMeshAndJoin, "coordinates in double precision (default)",
-     [](Line& l, Text, Text) { l.write.single_precision = false; }},
+     [](Line& l, Text, Text) { l.mesh.write.single_precision = false; }},
     {"--attributes", 0, "", kMeshAndJoin,
      "with the mesh: normals of vertices, and of triangles component, distance from the surface "
      "and "
      "with --cap a mark; in PLY, VTP and GLB",
-     [](Line& l, Text, Text) { l.attributes = true; }},
+     [](Line& l, Text, Text) { l.mesh.attributes = true; }},
     {"--json", 0, "FILE", kReportsAndJoin, "all statistics as JSON, or - for standard output",
      [](Line& l, Text, Text v) { l.json = v; }},
     {"--quiet", 'q', "", kAll, "no report and no progress bar; warnings come all the same",
      [](Line& l, Text, Text) { l.quiet = true; }},
     {"--verbose", 'v', "", kMeshAndJoin, "the report with all stages, counters and refusals",
-     [](Line& l, Text, Text) { l.verbose = true; }},
+     [](Line& l, Text, Text) { l.mesh.verbose = true; }},
     {"--check", 0, "", kMeshAndJoin, "check the mesh as the check command does: exit 1 on a fault",
-     [](Line& l, Text, Text) { l.check = true; }},
+     [](Line& l, Text, Text) { l.mesh.check = true; }},
     {"--restricted", 0, "SHARE", kMeshAndCheck,
      "exit 1 unless this share of the triangles is restricted Delaunay; of mesh together with "
      "--check (default: the share is reported)",
-     [](Line& l, Text o, Text v) { l.restricted_share = v == "0" ? 0 : parse_share(o, v); }},
+     [](Line& l, Text o, Text v) { l.verify.restricted_share = v == "0" ? 0 : parse_share(o, v); }},
     {"--triangulate", 0, "", kCheckOnly,
      "also triangulate the vertices, which takes as long as all else: restricted Delaunay facets "
      "that the mesh lacks, and Voronoi edges that meet the surface twice",
-     [](Line& l, Text, Text) { l.triangulate = true; }},
+     [](Line& l, Text, Text) { l.verify.triangulate = true; }},
     {"--tolerance", 0, "X|Xvox", kCheckOnly,
      "how far vertices may be off the surface, and the mesh's ends off the box, in world units or "
      "in voxels (default: what the digits of the mesh's coordinates give)",
-     [](Line& l, Text o, Text v) { l.tolerance = parse_length(o, v, Length::Unit::world); }},
+     [](Line& l, Text o, Text v) { l.verify.tolerance = parse_length(o, v, Length::Unit::world); }},
     {"--allow-empty", 0, "", kMeshAndJoin, "an isovalue that gives no surface is no error",
-     [](Line& l, Text, Text) { l.allow_empty = true; }},
+     [](Line& l, Text, Text) { l.mesh.allow_empty = true; }},
     {"--roi", 0, "X0:X1,Y0:Y1,Z0:Z1", kVolume,
      "only these samples; the ones at X1, Y1, Z1 are left out",
      [](Line& l, Text o, Text v) { l.read.roi = in_option(o, v, parse_roi); }},
     {"--part", 0, "N/M", kMeshOnly,
      "only the N-th of M parts of the mesh, counted from 1, in a file for deliso join",
-     [](Line& l, Text o, Text v) { l.part = parse_part(o, v); }},
+     [](Line& l, Text o, Text v) { l.mesh.part = parse_part(o, v); }},
     {"--array", 0, "NAME", kVolume,
      "which array of a VTK file (default: the one that it calls active, or the first that can be "
      "meshed; the info command lists them)",
@@ -197,7 +196,7 @@ constexpr OptionSpec kInputAndOutput[] = {
      "with --label all: one mesh of all labels, with common vertices where they meet; FILE has all "
      "interfaces with the two labels of each triangle (PLY, VTP), and those on the volume's border "
      "with --cap",
-     [](Line& l, Text, Text v) { l.shared = v; }},
+     [](Line& l, Text, Text v) { l.mesh.shared = v; }},
 };
 
 constexpr OptionSpec kRest[] = {
@@ -299,55 +298,55 @@ constexpr OptionSpec kRest[] = {
     {"--view", 0, "AZIMUTH,ELEVATION", kRenderOnly,
      "where the eye is, in degrees: from +x towards +y, and above the xy plane (default: the view "
      "of a ring that sees most of the surface, and looks into what is clipped)",
-     [](Line& l, Text o, Text v) { l.render.view = parse_view(o, v); }},
+     [](Line& l, Text o, Text v) { l.picture.render.view = parse_view(o, v); }},
     {"--up", 0, "x|-x|y|-y|z|-z", kSeen,
      "which axis points up (default: the patient's head if the file tells how the patient lay, "
      "else z)",
      [](Line& l, Text o, Text v) {
        const int n = choose<int>(o, v);
-       l.up = {n / 2, n % 2 == 0 ? 1.0 : -1.0};
+       l.picture.up = {n / 2, n % 2 == 0 ? 1.0 : -1.0};
      }},
     {"--zoom", 0, "X", kRenderOnly,
      "how many times larger than to fill the picture (default 1, at most 64; less beyond 10,000 "
      "pixels)",
-     [](Line& l, Text o, Text v) { l.render.aim.zoom = parse_zoom(o, v); }},
+     [](Line& l, Text o, Text v) { l.picture.render.aim.zoom = parse_zoom(o, v); }},
     {"--look-at", 0, "X,Y,Z", kPictures,
      "what is in the middle of the picture (default: the middle of all that is drawn), or where "
      "slices meet (default: the middle of the largest component, without --iso of the volume)",
-     [](Line& l, Text o, Text v) { l.render.aim.look_at = parse_point(o, v); }},
+     [](Line& l, Text o, Text v) { l.picture.render.aim.look_at = parse_point(o, v); }},
     {"--perspective", 0, "DEGREES", kRenderOnly,
      "the angle within which the eye sees all, from 1 to 120: nearer parts are larger (default: "
      "parallel projection)",
-     [](Line& l, Text o, Text v) { l.render.aim.angle = parse_angle_of_view(o, v); }},
+     [](Line& l, Text o, Text v) { l.picture.render.aim.angle = parse_angle_of_view(o, v); }},
     {"--size", 0, "WxH", kPictures,
      "of the whole picture, in pixels (default 1600x1200, up to 16384 each); lines and text grow "
      "with it; slices may need less",
-     [](Line& l, Text o, Text v) { l.render.size = parse_picture_size(o, v); }},
+     [](Line& l, Text o, Text v) { l.picture.render.size = parse_picture_size(o, v); }},
     {"--shading", 0, "smooth|flat", kRenderOnly, "how triangles look (default smooth)",
-     [](Line& l, Text o, Text v) { l.render.shading = choose<Shading>(o, v); }},
+     [](Line& l, Text o, Text v) { l.picture.render.shading = choose<Shading>(o, v); }},
     {"--edges", 0, "auto|on|off", kRenderOnly,
      "of triangles; auto (default): where they can be told apart, in all panels",
-     [](Line& l, Text o, Text v) { l.render.edges = choose<Edges>(o, v); }},
+     [](Line& l, Text o, Text v) { l.picture.render.edges = choose<Edges>(o, v); }},
     {"--clip", 0, "PLANE", kRenderOnly,
      "x:0.5 draws what is below half of the box in x, -x:0.5 what is above; a,b,c,d draws what "
      "has a x + b y + c z <= d; off/x:0.5 clips the second of two meshes alone",
-     [](Line& l, Text o, Text v) { l.clips = parse_clips(o, v); }},
+     [](Line& l, Text o, Text v) { l.picture.clips = parse_clips(o, v); }},
     {"--section", 0, "", kRenderOnly,
      "fill the cut of --clip with the gray values of --volume, inside the surface of --iso",
-     [](Line& l, Text, Text) { l.section = true; }},
+     [](Line& l, Text, Text) { l.picture.section = true; }},
     {"--overlay", 0, "", kRenderOnly,
      "all meshes over each other in one panel, each in a color of its own",
-     [](Line& l, Text, Text) { l.overlay = true; }},
+     [](Line& l, Text, Text) { l.picture.overlay = true; }},
     {"--labels", 0, "TEXT", kRenderOnly,
      "a caption for each panel: auto, the file's name and its triangles; or texts of your own, one "
      "for each mesh as in 'before/after', each of which can be auto or nothing too",
-     [](Line& l, Text o, Text v) { l.labels = parse_labels(o, v); }},
+     [](Line& l, Text o, Text v) { l.picture.labels = parse_labels(o, v); }},
     {"--color-by", 0, "side|component|angle|distance|gradient|label", kRenderOnly,
      "side (default): which side of the surface is seen; component: a color for each of the "
      "largest; angle: the smallest of the triangle; distance: from the isosurface, in voxels, with "
      "--volume and --iso; gradient: how steep the samples are, with --volume; label: the colors "
      "of a .glb, .3mf or .vtp, or one for each label of --shared",
-     [](Line& l, Text o, Text v) { l.color_by = choose<ColorBy>(o, v); }},
+     [](Line& l, Text o, Text v) { l.picture.color_by = choose<ColorBy>(o, v); }},
     {"--volume", 0, "INPUT", kShownAndJoin,
      "the volume whose isosurface triangles are measured against, with --iso; of join that of the "
      "parts",
@@ -355,34 +354,34 @@ constexpr OptionSpec kRest[] = {
     {"--occlusion", 0, "off|on", kRenderOnly,
      "on (default): places that see little of the sky are darker, so that sheets in front of each "
      "other can be told apart",
-     [](Line& l, Text o, Text v) { l.render.occlusion = choose<bool>(o, v); }},
+     [](Line& l, Text o, Text v) { l.picture.render.occlusion = choose<bool>(o, v); }},
     {"--opacity", 0, "X", kRenderOnly,
      "of triangles, above 0 to 1 (default 1); below 1 what is behind is seen through them",
-     [](Line& l, Text o, Text v) { l.render.opacity = parse_share(o, v); }},
+     [](Line& l, Text o, Text v) { l.picture.render.opacity = parse_share(o, v); }},
     {"--color", 0, "COLOR", kRenderOnly,
      "of the surface: #rrggbb, white or black; or as in '#9ebae0/#eda861', outside and inside",
      [](Line& l, Text o, Text v) {
        const std::size_t slash = v.find('/');
-       Palette& palette = l.render.palette;
+       Palette& palette = l.picture.render.palette;
        palette.outside = parse_color(o, v.substr(0, slash));
        if (slash != Text::npos) palette.inside = parse_color(o, v.substr(slash + 1));
      }},
     {"--scale-bar", 0, "UNIT", kPictures,
      "a bar of a round length, with this unit, as in mm, to which nothing is converted; ' ' for "
      "none",
-     [](Line& l, Text o, Text v) { l.render.scale_bar = parse_drawable(o, v); }},
+     [](Line& l, Text o, Text v) { l.picture.render.scale_bar = parse_drawable(o, v); }},
     {"--axes", 0, "", kRenderOnly,
      "the directions of the axes: x, y, z, or R, A, S and L, P, S where the mesh names its space",
-     [](Line& l, Text, Text) { l.axes = true; }},
+     [](Line& l, Text, Text) { l.picture.axes = true; }},
     {"--background", 0, "COLOR", kRenderOnly, "white (default), black or #rrggbb",
-     [](Line& l, Text o, Text v) { l.render.palette.background = parse_color(o, v); }},
+     [](Line& l, Text o, Text v) { l.picture.render.palette.background = parse_color(o, v); }},
 
     {"--trace-limit", 0, "N", kTraceOnly,
      "at most N events in the page (default 200000); the run goes on without",
-     [](Line& l, Text o, Text v) { l.trace_limit = parse_count(o, v, 1); }},
+     [](Line& l, Text o, Text v) { l.trace.limit = parse_count(o, v, 1); }},
     {"--no-times", 0, "", kTraceOnly,
      "leave out how long everything took: the same page from every run",
-     [](Line& l, Text, Text) { l.trace_times = false; }},
+     [](Line& l, Text, Text) { l.trace.times = false; }},
 
     {"--help", 'h', "", kAll, "this text", [](Line& l, Text, Text) { l.command = Command::help; }},
     {"--version", 0, "", kAll, "the version",

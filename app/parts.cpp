@@ -2,10 +2,10 @@
 #include "app/parts.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
+#include "app/option_table.h"
 #include "base/check.h"
 #include "base/text.h"
 #include "blocks/mesh_in_blocks.h"
@@ -18,14 +18,12 @@
 namespace deliso {
 namespace {
 
-// Options that do not change a mesh. A part does not note them.
-constexpr std::array<std::string_view, 16> kNotNoted{
-    "--output",      "--format", "--ply-ascii", "--float",  "--double",  "--attributes",
-    "--json",        "--quiet",  "--verbose",   "--check",  "--threads", "--restricted",
-    "--allow-empty", "--part",   "--help",      "--version"};
-
+// True if the part notes the option: not those that a join gives, nor what does not change a mesh.
 bool is_noted(std::string_view word) {
-  return std::ranges::find(kNotNoted, word.substr(0, word.find('='))) == kNotNoted.end();
+  const std::string_view name = word.substr(0, word.find('='));
+  const auto spec = std::ranges::find(option_table(), name, &OptionSpec::name);
+  const bool of_join = spec != option_table().end() && has_option(Command::join, *spec);
+  return !of_join && name != "--part" && name != "--restricted";
 }
 
 // Returns how many samples on either side the filters reach.
@@ -39,7 +37,7 @@ Index3 reach_of(const FieldOptions& options, const Grid& shape) {
 // Returns the samples of a volume of this size that the part needs.
 Roi region_of_part(const CommandLine& line, const Grid& shape) {
   if (line.field.of_labels() || !line.options.components.is_all()) return {{0, 0, 0}, shape.dims()};
-  const SampleBox blocks = box_of_part(shape, line.options, *line.part);
+  const SampleBox blocks = box_of_part(shape, line.options, *line.mesh.part);
   const SampleBox box = grown(blocks, reach_of(line.field, shape), shape.voxels());
   return {box.begin, {box.end.i + 1, box.end.j + 1, box.end.k + 1}};
 }
@@ -97,7 +95,7 @@ PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::
   Options options = line.options;
   options.observer = observer;
   PartFile part;
-  part.choice = *line.part;
+  part.choice = *line.mesh.part;
   for (const std::string& word : line.words) {
     if (is_noted(word)) part.words.push_back(word);
   }
@@ -115,7 +113,8 @@ PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::
   return part;
 }
 
-CommandLine line_of(const PartFile& part, const std::string& input) {
+CommandLine line_of(const PartFile& part, const std::string& input,
+                    std::span<const std::string> more) {
   std::vector<std::string_view> words{"mesh", input};
   for (const std::string& word : part.words) {
     if (!word.starts_with("--") || !is_noted(word)) {
@@ -123,6 +122,7 @@ CommandLine line_of(const PartFile& part, const std::string& input) {
     }
     words.push_back(word);
   }
+  words.insert(words.end(), more.begin(), more.end());
   try {
     CommandLine line = parse_command_line(words);
     if (line.field.all_labels) throw InputError("it is of all labels");
@@ -137,17 +137,9 @@ CommandLine line_of(const PartFile& part, const std::string& input) {
 }
 
 CommandLine line_of_join(const CommandLine& join, const PartFile& part) {
-  CommandLine line = line_of(part, join.input);
-  line.output = join.output;
-  line.write = join.write;
-  line.json = join.json;
-  line.attributes = join.attributes;
-  line.allow_empty = join.allow_empty;
-  line.check = join.check;
-  line.quiet = join.quiet;
-  line.verbose = join.verbose;
-  line.options.threads = join.options.threads;
-  return line;
+  std::vector<std::string> own = join.words;
+  std::erase_if(own, [](const std::string& word) { return word.starts_with("--volume="); });
+  return line_of(part, join.input, own);
 }
 
 void require_field(std::span<const PartFile> parts, const FieldSource& field,
@@ -163,7 +155,7 @@ void require_field(std::span<const PartFile> parts, const FieldSource& field,
 
 Input input_of_join(const CommandLine& line, FieldSource field, ReadLog log, double seconds) {
   VolumeSource& source = field.field.source;
-  const bool needs_samples = line.check || line.attributes || line.options.cap;
+  const bool needs_samples = line.mesh.check || line.mesh.attributes || line.options.cap;
   if (needs_samples && !source.in_memory) source = source_of(all_of(source));
   return {line.input, std::move(field.field), {}, std::move(log), seconds, field.isovalue};
 }

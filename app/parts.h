@@ -43,11 +43,12 @@ FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
 PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::string& name,
                    Observer* observer, const std::vector<std::int64_t>& ids = {});
 
-// Returns the command line that the parts were made with, for the volume named `input`. Throws
-// InputError, with the part's name, if its words are no options of a mesh, or contradict its
-// counts.
-CommandLine line_of(const PartFile& part, const std::string& input);
-// The same, with what a join decides: threads, checks, reports and files.
+// Returns the command line that the parts were made with, for the volume named `input`, and with
+// `more` words. Throws InputError, with the part's name, if its words are no options of a mesh, or
+// contradict its counts.
+CommandLine line_of(const PartFile& part, const std::string& input,
+                    std::span<const std::string> more = {});
+// The same, with the join's own words: threads, checks, reports and files.
 CommandLine line_of_join(const CommandLine& join, const PartFile& part);
 
 // Throws InputError unless the parts, in order, were made of this field.

@@ -49,9 +49,9 @@ std::string time_text(double seconds) {
 
 std::vector<StageCost> mesh_stages(const CommandLine& line) {
   const Options& options = line.options;
-  const bool exact = !line.paper, shared = !line.shared.empty();
+  const bool exact = !line.paper, shared = !line.mesh.shared.empty();
   const bool refines = !options.stop_after_stage1;
-  const bool examined = !line.quiet || line.check || !line.json.empty();
+  const bool examined = !line.quiet || line.mesh.check || !line.json.empty();
   const std::pair<bool, StageCost> all[] = {
       {true, {"reading", 1}},
       {shared, {"fields", 15}},
@@ -67,7 +67,7 @@ std::vector<StageCost> mesh_stages(const CommandLine& line) {
       {refines && exact, {"seams", 6}},
       {refines && by_count(options), {"thin", 40}},
       {options.cap && !shared, {"cap", 3}},
-      {examined, {"check", line.check ? 150.0 : 6.0}},
+      {examined, {"check", line.mesh.check ? 150.0 : 6.0}},
       {shared || !line.output.empty(), {"writing", 1}}};
   std::vector<StageCost> stages;
   for (const auto& [is_run, stage] : all) {

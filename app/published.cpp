@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/published.h"
 
-#include <array>
 #include <string_view>
 
 #include "app/text.h"

@@ -11,7 +11,6 @@
 #include "app/report_writer.h"
 #include "app/shared_labels.h"
 #include "app/solid.h"
-#include "app/text.h"
 #include "base/text.h"
 
 namespace deliso {
@@ -87,10 +86,10 @@ void add_seconds(ReportWriter& out, const MeshRun& run) {
   out.optional(paper).add_seconds("poles", run.published.seconds_poles, "--paper: pole heights");
   out.add_seconds("refine", report.seconds_refine, "Stage 2");
   out.add_seconds("meshing", report.seconds_total, "all that makes the mesh");
-  out.add_seconds("check", run.seconds_check, "looking at the mesh afterwards, --check included");
+  out.add_seconds("check", run.cost.check, "looking at the mesh afterwards, --check included");
   out.add_seconds("cap", report.seconds_cap, "closing on the box");
-  out.add_seconds("write", run.seconds_write, "writing the mesh");
-  out.add_seconds("total", run.seconds_total, "the run");
+  out.add_seconds("write", run.cost.write, "writing the mesh");
+  out.add_seconds("total", run.cost.total, "the run");
   out.close();
 }
 
@@ -161,61 +160,65 @@ void add_counters(ReportWriter& out, const Report& report) {
   out.close();
 }
 
+void add_count_stop(ReportWriter& out, const CountedMesh& mesh) {
+  out.optional(by_count(mesh.options))
+      .add_choice("count_stop", static_cast<std::size_t>(count_stop(mesh)),
+                  names_up_to(CountStop::refinement),
+                  "with --vertices or --triangles: what stopped the number, caps left out; none: "
+                  "at most as many, and at most 2 % or one fewer");
+}
+
 void add_mesh(ReportWriter& out, const MeshRun& run) {
   const Report& report = run.report;
   out.open("mesh", "the mesh, and the exact surface beside it");
   out.add("output", run.line.output, "its file; empty: none was written");
-  out.add("vertices", run.vertices, "caps included");
-  out.add("triangles", run.triangles, "caps included");
-  out.optional(by_count(run.line.options))
-      .add_choice("count_stop", static_cast<std::size_t>(count_stop(run)),
-                  names_up_to(CountStop::refinement),
-                  "with --vertices or --triangles: what stopped the number, caps left out; none: "
-                  "at most as many, and at most 2 % or one fewer");
+  out.add("vertices", run.found.vertices, "caps included");
+  out.add("triangles", run.found.triangles, "caps included");
+  add_count_stop(out, counted_mesh(run));
   out.optional(report[Counter::cap_lifts_off_surface] > 0)
       .add(
-          "max_off_surface_voxels", run.max_off_surface / run.input.grid().voxel(),
+          "max_off_surface_voxels", run.found.max_off_surface / run.input.grid().voxel(),
           "with --cap: the largest distance of a vertex from the surface, if some had to leave it");
-  out.add("fault", run.fault, "the first rule of a mesh that it breaks; empty: none");
-  add_topology(out, "topology", run.mesh, "of the mesh, without caps");
+  out.add("fault", run.found.fault, "the first rule of a mesh that it breaks; empty: none");
+  add_topology(out, "topology", run.found.topology, "of the mesh, without caps");
   add_topology(out, "exact_topology", report.exact, "of the surface");
-  out.add("topology_exact", run.mesh == report.exact, "the two are equal");
-  add_quality(out, run.quality, "the shape of the surface's triangles, caps left out");
-  out.add("needle_triangles", run.close.needles.size(),
+  out.add("topology_exact", run.found.topology == report.exact, "the two are equal");
+  add_quality(out, run.found.quality, "the shape of the surface's triangles, caps left out");
+  out.add("needle_triangles", run.found.close.needles.size(),
           text("of the surface, with an angle below ", kLeastAngle, " degrees"));
-  out.add("folds", run.close.folds.size(),
+  out.add("folds", run.found.close.folds.size(),
           text("pairs of triangles at an edge, with less than ", kLeastFold,
                " degree between them where the surface has no such fold"));
-  out.add("near_vertices", run.close.near.size(),
+  out.add("near_vertices", run.found.close.near.size(),
           text("nearer to a triangle of others than ", kNearVoxels, " voxels"));
   if (out.if_any(run.line.options.cap)) {
-    add_solid(out, run.vertices - report.cap.surface_vertices,
-              run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality);
+    add_solid(out, run.found.solid, run.input.grid().frame());
   }
   out.optional(!run.line.paper)
       .add("crossings", run.crossings(),
            "pairs of triangles that cross, of the mesh as it is in the file. They are looked for "
            "with --check and --cap, in single precision, and if voxels_crossed is not 0; nothing "
            "else makes any");
-  out.optional(run.line.options.cap).add("cap_close_places", run.close_at_caps, kCapClosePlaces);
+  out.optional(run.line.options.cap)
+      .add("cap_close_places", run.found.solid.close_places, kCapClosePlaces);
   out.optional(run.line.options.cap)
       .add("cap_failure", report.cap.failure,
            "with --cap: why the mesh stayed open; empty: it is closed");
   out.optional(run.line.options.cap)
-      .add("cap_crossings", run.has_solid() ? run.written.crossings : 0,
+      .add("cap_crossings", run.has_solid() ? run.written.faults.crossings : 0,
            "with --cap: pairs of crossing triangles, caps and surface, of the mesh as it is in "
            "the file, when it is closed");
   out.optional(run.input.field.label && run.has_volume())
-      .add("volume", run.volume,
+      .add("volume", run.volume(),
            "with --label: enclosed by the mesh, if it is closed; world units, cubed");
-  const PlaceFaults by_rounding = run.by_rounding();
+  const PlaceFaults by_rounding = run.written.by_rounding();
   out.add("crossings_by_rounding", by_rounding.crossings,
           "pairs of triangles that cross since coordinates are rounded in the file: in single "
           "precision, or far from the origin");
   out.add("flat_by_rounding", by_rounding.flat, "triangles that have no area for this reason");
   out.add("coincident_by_rounding", by_rounding.coincident,
           "vertices that are where another one is for this reason");
-  out.add("mended_vertices", run.mended,
+  out.add("mended_vertices", run.written.mended,
           "vertices that are not at the nearest float, so that rounding makes fewer faults");
   out.close();
 }
@@ -254,7 +257,7 @@ void add_run(ReportWriter& out, const MeshRun& run) {
   if (out.if_any(run.verification.has_value())) {
     add_verification(out, run.verification.value_or(Verification()), run.input.grid());
   }
-  add_memory(out, run.peak_bytes);
+  add_memory(out, run.cost.peak_bytes);
   add_diagnostics(out, run.notes);
 }
 
@@ -280,37 +283,16 @@ void add_label(ReportWriter& out, const SharedLabel& l) {
   out.add_seconds("seconds", l.seconds, "for its field");
 }
 
-void add_shared_seconds(ReportWriter& out, const SharedRun& run) {
-  const Report& report = run.report;
-  out.open("seconds", "where the time went");
-  out.add_seconds("read", run.input.seconds, "reading, and looking at every sample once");
-  out.add_seconds("filter", run.input.field.seconds, "the labels' weights and fields");
-  out.add_seconds("labels", report.seconds_contour, "T_L");
-  out.add_seconds("coarsen", report.seconds_coarsen,
-                  "Stage 1: vertices of T_L that are not needed go");
-  out.add_seconds("refine", report.seconds_refine, "Stage 2");
-  out.add_seconds("meshing", report.seconds_total, "all that makes the mesh, of the fields");
-  out.add_seconds("check", run.seconds_check, "looking at the mesh afterwards");
-  out.add_seconds("write", run.seconds_write, "writing the meshes");
-  out.add_seconds("total", run.seconds_total, "the run");
-  out.close();
-}
-
 void add_shared_mesh(ReportWriter& out, const SharedRun& run) {
   const std::size_t facets = run.mesh.facets.size();
   out.open("mesh", "the interfaces of all labels");
-  out.add("output", run.line.shared, "its file; empty: none was written");
+  out.add("output", run.line.mesh.shared, "its file; empty: none was written");
   out.add("vertices", run.mesh.points.size(), "all of them");
   out.add("triangles", facets, "all of them");
   out.add("surface_vertices", run.surface_vertices, "of triangles between two labels");
   out.add("surface_triangles", run.mesh.inner_facets,
           "between two labels; with --cap those on the box follow them");
-  const CountedMesh asked = counted_mesh(run);
-  out.optional(by_count(run.line.options))
-      .add_choice("count_stop", static_cast<std::size_t>(count_stop(asked)),
-                  names_up_to(CountStop::refinement),
-                  "with --vertices or --triangles: what stopped the number, caps left out; none: "
-                  "at most as many, and at most 2 % or one fewer");
+  add_count_stop(out, counted_mesh(run));
   out.add("crossings", run.written.crossings,
           "pairs of triangles that cross, of the mesh as it is in the file");
   out.add("flat", run.written.flat, "triangles of it that have no area");
@@ -322,7 +304,9 @@ void add_shared_mesh(ReportWriter& out, const SharedRun& run) {
 void add_shared(ReportWriter& out, const SharedRun& run) {
   add_input(out, run.input);
   add_options(out, run.line);
-  add_shared_seconds(out, run);
+  out.open("seconds", "where the time went");
+  for (const Figure& step : steps_of(run)) out.add_seconds(step.key, step.value, step.words);
+  out.close();
   add_distance(out, run.report);
   add_operations(out, run.report);
   add_counters(out, run.report);
@@ -338,7 +322,7 @@ void add_shared(ReportWriter& out, const SharedRun& run) {
                     out.add("triangles", border.triangles, "between the two");
                     out.add("area", border.area, "of these; scaled frame");
                   });
-  add_memory(out, run.peak_bytes);
+  add_memory(out, run.cost.peak_bytes);
   add_diagnostics(out, run.notes);
 }
 

@@ -82,9 +82,9 @@ void append_stages(std::string& text, const MeshRun& run) {
   append_stage(text, "refine", report.seconds_refine, report.insertions_refine,
                report.searches_refine);
   append_step(text, "cap", report.seconds_cap);
-  append_step(text, "check", run.seconds_check);
-  append_step(text, "write", run.seconds_write);
-  append_format(text, "  %-14s %9.3f\n\n", "total", run.seconds_total);
+  append_step(text, "check", run.cost.check);
+  append_step(text, "write", run.cost.write);
+  append_format(text, "  %-14s %9.3f\n\n", "total", run.cost.total);
 }
 
 // Returns what holds of the mesh, and a line for each counter of what does not (the README's "What
@@ -93,7 +93,7 @@ std::string verdict_text(const MeshRun& run) {
   const Report& report = run.report;
   const Options& options = run.line.options;
   const bool is_all = options.components.is_all();
-  const bool is_other = !run.fault.empty() || (is_all && run.mesh != report.exact);
+  const bool is_other = !run.found.fault.empty() || (is_all && run.found.topology != report.exact);
   std::string lines =
       text("verdict   ",
            is_other ? "another topology than the surface's"
@@ -110,26 +110,32 @@ std::string verdict_text(const MeshRun& run) {
     add_line(report[counter], what, name_of(counter));
   };
   add_line(run.published.facets_unrefined,
-           text(grouped(run.published.facets_unrefined), " of ", counted(run.triangles, "triangle"),
-                " over a limit"),
+           text(grouped(run.published.facets_unrefined), " of ",
+                counted(run.found.triangles, "triangle"), " over a limit"),
            "facets_unrefined");
   add(Counter::unrefined_facets, text(grouped(report[Counter::unrefined_facets]), " of ",
-                                      counted(run.triangles, "triangle"), " over a limit"));
+                                      counted(run.found.triangles, "triangle"), " over a limit"));
   add(Counter::points_far,
       counted(report[Counter::points_far], "point") + " of the surface further than 2 D");
-  const std::size_t needles = run.close.needles.size(), folds = run.close.folds.size(),
-                    near = run.close.near.size();
+  const std::size_t needles = run.found.close.needles.size(), folds = run.found.close.folds.size(),
+                    near = run.found.close.near.size();
   add_line(needles,
            text(counted(needles, "triangle"), " with an angle below ", kLeastAngle, " degrees"),
            "needle_triangles");
   add_line(folds, counted(folds, "pair") + " of triangles folded on each other", "folds");
   add_line(near, counted(near, "vertex", "vertices") + " nearly on a triangle of others",
            "near_vertices");
-  add_line(run.close_at_caps, close_at_caps_text(run.close_at_caps), "cap_close_places");
+  add_line(run.found.solid.close_places, close_at_caps_text(run.found.solid.close_places),
+           "cap_close_places");
   return lines;
 }
 
 }  // namespace
+
+std::string cost_text(const RunCost& cost) {
+  return text(fixed(cost.total, 2), " seconds, ",
+              fixed(static_cast<double>(cost.peak_bytes) / 0x1p20, 1), " MiB at most\n");
+}
 
 std::string place_faults_text(const PlaceFaults& faults) {
   std::string words;
@@ -172,15 +178,15 @@ std::string operations_text(const Report& report) {
 std::string report_text(const MeshRun& run) {
   const Report& report = run.report;
   const Options& options = run.line.options;
-  const bool verbose = run.line.verbose;
+  const bool verbose = run.line.mesh.verbose;
   std::string lines = text(input_text(run.input), "isovalue  ",
                            isovalue_text(*run.input.isovalue, report.kappa_effective), "\n");
   if (verbose) append_stages(lines, run);
 
-  lines += text("mesh      ", counted(run.vertices, "vertex", "vertices"), ", ",
-                counted(run.triangles, "triangle"));
+  lines += text("mesh      ", counted(run.found.vertices, "vertex", "vertices"), ", ",
+                counted(run.found.triangles, "triangle"));
   if (!run.line.output.empty()) lines += " -> " + one_line(run.line.output);
-  lines += text("\n          ", topology_text(run.mesh), "\n");
+  lines += text("\n          ", topology_text(run.found.topology), "\n");
   if (count_stop(run) != CountStop::none) lines += text("count     ", count_text(run), "\n");
   if (run.line.certified) {
     const paper::Report& p = run.published;
@@ -193,49 +199,48 @@ std::string report_text(const MeshRun& run) {
     lines += "\n";
   }
   if (run.line.paper) {
-    lines += text("found     ", grouped(run.mesh.components), " of ",
+    lines += text("found     ", grouped(run.found.topology.components), " of ",
                   counted(report.exact.components, "component"), "\n");
   }
   lines +=
-      text("exact     ", run.mesh == report.exact ? "the same" : topology_text(report.exact), "\n");
-  if (!run.fault.empty()) lines += text("fault     ", run.fault, "\n");
+      text("exact     ",
+           run.found.topology == report.exact ? "the same" : topology_text(report.exact), "\n");
+  if (!run.found.fault.empty()) lines += text("fault     ", run.found.fault, "\n");
   if (run.has_solid()) {
-    lines +=
-        text("solid     ",
-             solid_text(run.vertices - report.cap.surface_vertices,
-                        run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality),
-             "\n          ", run.written.crossings > 0 ? "FAULT: " : "",
-             counted(run.written.crossings, "crossing pair"), " of triangles\n");
+    lines += text("solid     ", solid_text(run.found.solid, run.input.grid().frame()),
+                  "\n          ", run.written.faults.crossings > 0 ? "FAULT: " : "",
+                  counted(run.written.faults.crossings, "crossing pair"), " of triangles\n");
   } else if (options.cap) {
     lines += text("solid     FAULT: not closed on the box: ", report.cap.failure, "\n");
   }
   const std::uint64_t off_surface = report[Counter::cap_lifts_off_surface];
   if (off_surface > 0) {
     lines += text("off       ", counted(off_surface, "vertex", "vertices"), " up to ",
-                  rounded(run.max_off_surface / run.input.grid().voxel()),
+                  rounded(run.found.max_off_surface / run.input.grid().voxel()),
                   " voxels off the surface, to keep edges out of the faces of the box\n");
   }
   if (run.input.field.label && run.has_volume()) {
-    lines += text("volume    ", volume_text(run.volume), " in the mesh, ",
-                  fixed(100 * run.volume_difference(), 2), " % off that of the voxels\n");
+    lines += text("volume    ", volume_text(run.volume()), " in the mesh, ",
+                  fixed(100 * (run.volume() / run.input.field.label->volume - 1), 2),
+                  " % off that of the voxels\n");
   }
-  if (run.mended > 0) {
-    lines += text("rounding  ", counted(run.mended, "vertex", "vertices"),
+  if (run.written.mended > 0) {
+    lines += text("rounding  ", counted(run.written.mended, "vertex", "vertices"),
                   " not at the nearest float, so that triangles keep apart\n");
   }
-  if (run.by_rounding().count() > 0) {
-    const bool single = writes_single_precision(run.line.write);
-    lines +=
-        text("rounding  FAULT: ", single ? "single" : "double", " precision makes ",
-             place_faults_text(run.by_rounding()), single ? "; " : ", so far from the origin: ",
-             single ? kKeepDoubles : "give --origin 0,0,0", "\n");
+  if (run.written.by_rounding().count() > 0) {
+    const bool single = writes_single_precision(run.line.mesh.write);
+    lines += text("rounding  FAULT: ", single ? "single" : "double", " precision makes ",
+                  place_faults_text(run.written.by_rounding()),
+                  single ? "; " : ", so far from the origin: ",
+                  single ? kKeepDoubles : "give --origin 0,0,0", "\n");
   }
-  if (run.triangles > 0) {
+  if (run.found.triangles > 0) {
     const double lambda = options.limits[Criterion::r_over_l].value;
-    lines += quality_text(run.quality, lambda, report.r_min, verbose);
+    lines += quality_text(run.found.quality, lambda, report.r_min, verbose);
   }
   const bool refined = !options.stop_after_stage1 && !run.line.paper;
-  if (run.triangles > 0 && refined) {
+  if (run.found.triangles > 0 && refined) {
     lines += distance_text(options, report, run.input.grid().voxel(), verbose);
   }
   if (run.verification) lines += verification_text(*run.verification, run.input.grid());
@@ -244,9 +249,8 @@ std::string report_text(const MeshRun& run) {
         counters_text(report) + published_counts(run.published) + operations_text(report);
     lines += counts.empty() ? "counters  nothing refused or unresolved\n" : counts;
   }
-  if (run.triangles > 0) lines += verdict_text(run);
-  return lines + text("cost      ", fixed(run.seconds_total, 2), " seconds, ",
-                      fixed(static_cast<double>(run.peak_bytes) / 0x1p20, 1), " MiB at most\n");
+  if (run.found.triangles > 0) lines += verdict_text(run);
+  return lines + text("cost      ", cost_text(run.cost));
 }
 
 }  // namespace deliso

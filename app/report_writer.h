@@ -24,6 +24,14 @@ namespace deliso {
 // What a schema says of a number beside its type.
 enum class Rule : std::uint8_t { none, not_negative, positive, nullable };
 
+// A number of a list in both reports: by its key in the JSON, by its label in the text. No label:
+// it is in the JSON alone.
+struct Figure {
+  std::string_view key, label;
+  double value;
+  std::string_view words;  // its meaning
+};
+
 // Returns the names of all values of an enumeration, for add_choice().
 template <class T>
 std::vector<std::string> names_up_to(T last) {

@@ -2,7 +2,6 @@
 // The check command: a mesh file and a volume in, a proof or a list of faults out.
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "app/bring_home.h"
 #include "app/check_report.h"
@@ -22,7 +21,7 @@ Verification verify_in_world(TriMesh mesh, const MeshNotes& notes, const Command
   const Volume& volume = input.volume();
   VerifyOptions options = verify_options(line, volume, noted_criteria(notes.comments));
   options.progress = std::move(progress);
-  options.tolerance = bring_home(mesh, volume, notes.rounding, line.tolerance.in(volume));
+  options.tolerance = bring_home(mesh, volume, notes.rounding, line.verify.tolerance.in(volume));
   return verify(mesh, volume, geometric_isovalue(volume.type(), *input.isovalue), options);
 }
 

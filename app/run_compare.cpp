@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <string>
-#include <utility>
 
 #include "app/bring_home.h"
 #include "app/check_report.h"
@@ -35,15 +34,6 @@ std::string side_text(const std::string& name, const MeshVerdict& mesh) {
               ", genus ", mesh.genus(), "\n", faults_text(mesh.faults, {}));
 }
 
-std::string distances_text(const char* name, const Distances& d) {
-  if (d.points == 0) return text(name, "not measured\n");
-  std::string line =
-      text(name, "max ", rounded(d.max), ", mean ", rounded(d.mean), ", rms ", rounded(d.rms),
-           ", 99.9 % ", rounded(d.quantile_999), ", furthest at ", place_text(d.furthest), "\n");
-  if (d.given_up > 0) line += "          " + counted(d.given_up, "point") + " given up\n";
-  return line;
-}
-
 double hausdorff(const MeshComparison& c) {
   return std::max(c.sides[0].to_other.max, c.sides[1].to_other.max);
 }
@@ -52,8 +42,8 @@ std::string comparison_text(const CommandLine& line, const MeshComparison& c) {
   const bool is_measured = c.sides[0].to_other.points > 0;
   return text(side_text(line.meshes[0], c.sides[0].mesh),
               side_text(line.meshes[1], c.sides[1].mesh),
-              distances_text("1st->2nd  ", c.sides[0].to_other),
-              distances_text("2nd->1st  ", c.sides[1].to_other),
+              distances_text("1st->2nd  ", c.sides[0].to_other, Options::kNone, 1, "", {}),
+              distances_text("2nd->1st  ", c.sides[1].to_other, Options::kNone, 1, "", {}),
               is_measured ? text("hausdorff ", rounded(hausdorff(c)), ", in the meshes' unit\n")
                           : std::string());
 }
@@ -71,8 +61,7 @@ void add_side(ReportWriter& out, std::string_view key, const std::string& name,
   out.open("to_other", "from points of this mesh to the other; its unit");
   add_spread(out, d, 1, "");
   out.add("furthest", d.furthest, "where the largest is");
-  out.add("given_up", d.given_up,
-          "points left out since too many triangles lie across each other there");
+  out.add("given_up", d.given_up, kGivenUpWords);
   out.close();
   add_faults(out, mesh.faults, {});
   out.close();
@@ -91,7 +80,7 @@ int run_compare(const CommandLine& line) {
   require_outputs({&line.json, 1}, line.meshes);
   std::array<TriMesh, 2> meshes{read_in_space(line.meshes[0], AnatomicalSpace::unknown), {}};
   meshes[1] = read_in_space(line.meshes[1], meshes[0].frame.space);
-  const double bound = line.given.limits[Criterion::distance]
+  const double bound = line.verify.given.limits[Criterion::distance]
                            ? line.options.limits[Criterion::distance].value
                            : Options::kNone;
   const MeshComparison c = compare_meshes(meshes, bound, line.options.threads);

@@ -28,7 +28,7 @@ Vec3 middle_of(const Info& info) {
 
 void write_slices(const Info& info, const CommandLine& line) {
   const Volume& volume = info.input.volume();
-  const RenderOptions& picture = line.render;
+  const RenderOptions& picture = line.picture.render;
   SliceOptions options{.size = picture.size,
                        .through = picture.aim.look_at
                                       ? volume.frame().from_world(*picture.aim.look_at)

@@ -15,7 +15,6 @@
 #include "app/progress.h"
 #include "app/run.h"
 #include "app/signals.h"
-#include "app/text.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
@@ -38,7 +37,7 @@ std::string name_with(std::string name, std::int64_t label) {
 std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& source) {
   std::vector<CommandLine> lines;
   const std::vector<std::string> files = source.log.paths();
-  const bool shared = !line.shared.empty();
+  const bool shared = !line.mesh.shared.empty();
   for (const LabelSamples& found : source.labels) {
     if (found.label == 0) continue;
     CommandLine one = line;
@@ -46,14 +45,16 @@ std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& 
     one.field.labels = {found.label};
     one.output = name_with(line.output, found.label);
     one.json = shared ? "" : name_with(line.json, found.label);
-    one.allow_empty = true;  // a label may fill the volume
+    one.mesh.allow_empty = true;  // a label may fill the volume
     for (const NamedSegment& segment : source.log.segments) {
       if (segment.label != found.label) continue;
-      one.write.name = segment.name;
+      one.mesh.write.name = segment.name;
       const bool is_object = in_one_file(line) || line.output.empty();  // or may become one
-      if (segment.color && is_object) one.write.label = ObjectLabel{found.label, *segment.color};
+      if (segment.color && is_object)
+        one.mesh.write.label = ObjectLabel{found.label, *segment.color};
     }
-    require_outputs(std::array{line.shared, shared ? line.json : "", one.output, one.json}, files);
+    require_outputs(std::array{line.mesh.shared, shared ? line.json : "", one.output, one.json},
+                    files);
     lines.push_back(std::move(one));
   }
   if (lines.empty()) throw InputError(line.input, ": has no label but 0");
@@ -92,7 +93,7 @@ int run_labels(const CommandLine& line) {
   Source source = read_source(line);
   progress.tell(source.log.notes);
   const std::vector<CommandLine> lines = lines_of_labels(line, source);
-  if (!line.shared.empty()) return run_shared(all, source, line, lines, progress);
+  if (!line.mesh.shared.empty()) return run_shared(all, source, line, lines, progress);
   source.labels = label_fields({source.volume, source.log.ids}, line.field, source.labels,
                                line.input, line.options.threads)
                       .weighed();
@@ -112,13 +113,14 @@ int run_labels(const CommandLine& line) {
     labels.push_back(one.field.labels.front());
     if (run.is_open_label()) open.push_back(labels.back());
     all_sound &= run.sound();
-    if (line.verbose && !line.quiet) print(report_text(run) + "\n");
+    if (line.mesh.verbose && !line.quiet) print(report_text(run) + "\n");
     const LabelFacts& label = *input.field.label;
     const auto found = std::ranges::find(source.labels, label.labels.front(), &LabelSamples::label);
-    table += text_of({*found, one.write.name, label.volume,
-                      run.has_volume() ? std::optional(run.volume) : std::nullopt, run.vertices,
-                      run.triangles, run.mesh, run.report.exact, run.seconds_total},
-                     width);
+    table +=
+        text_of({*found, one.mesh.write.name, label.volume,
+                 run.has_volume() ? std::optional(run.volume()) : std::nullopt, run.found.vertices,
+                 run.found.triangles, run.found.topology, run.report.exact, run.cost.total},
+                width);
   }
   if (!objects.empty()) write_labels(std::move(objects), labels, line.output);
   Diagnostics notes;

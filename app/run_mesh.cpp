@@ -22,7 +22,6 @@
 #include "app/round_points.h"
 #include "app/run.h"
 #include "app/signals.h"
-#include "app/solid.h"
 #include "app/text.h"
 #include "base/check.h"
 #include "base/parallel.h"
@@ -89,73 +88,79 @@ ClosePlaces close_places(const TriMesh& mesh, const VolumeSource& field, int thr
 }
 
 // Checks and measures the mesh for the report, in threads.
-void examine(const TriMesh& mesh, const TriMesh& surface, bool reported, MeshRun& run) {
+Examination examine(const TriMesh& mesh, const TriMesh& surface, bool reported,
+                    const MeshRun& run) {
   const Options& options = run.line.options;
+  const CapReport& cap = run.report.cap;
   const VolumeSource& field = run.input.field.source;
   const Grid& grid = field.shape;
+  Examination found;
+  found.vertices = mesh.points.size();
+  found.triangles = mesh.faces.size();
   std::string boundary_fault;
   std::vector<std::function<void()>> looks{
-      [&] { run.fault = check_mesh(mesh); },
+      [&] { found.fault = check_mesh(mesh); },
       [&] { boundary_fault = check_boundary_on_box(surface, grid.box()); }};
   // Warnings about a number, labels and floats need them without a report, too.
   if (reported || by_count(options) || !is_integer(grid.type())) {
-    looks.emplace_back([&] { run.mesh = mesh_topology(surface).counts(); });
+    looks.emplace_back([&] { found.topology = mesh_topology(surface).counts(); });
     looks.emplace_back([&] {
-      run.quality =
+      found.quality =
           measure_quality(surface, options.limits[Criterion::r_over_l].value, run.report.r_min);
     });
   }
   if (reported) {
-    looks.emplace_back([&] { run.close = close_places(surface, field, options.threads); });
+    looks.emplace_back([&] { found.close = close_places(surface, field, options.threads); });
+  }
+  if (reported && (options.cap || run.input.field.label)) {
+    looks.emplace_back([&] { found.solid.volume = enclosed_volume(mesh); });
   }
   if (reported && options.cap) {
+    found.solid.cap_vertices = mesh.points.size() - cap.surface_vertices;
+    found.solid.cap_triangles = mesh.faces.size() - cap.surface_triangles;
     looks.emplace_back([&] {
-      const TriMesh caps = part_of(mesh, run.report.cap.surface_triangles, mesh.faces.size());
-      run.cap_quality = measure_quality(caps, options.limits[Criterion::r_over_l].value, 0);
-      run.volume = world_volume(enclosed_volume(mesh), grid.frame());
+      found.solid.quality = measure_quality(part_of(mesh, cap.surface_triangles, mesh.faces.size()),
+                                            options.limits[Criterion::r_over_l].value, 0);
     });
     looks.emplace_back([&] {
       const std::vector<Triangle> triangles = mesh.triangles();
       std::vector<bool> is_cap(triangles.size(), false);
-      std::fill(is_cap.begin() + static_cast<std::ptrdiff_t>(run.report.cap.surface_triangles),
-                is_cap.end(), true);
-      run.close_at_caps =
+      std::fill(is_cap.begin() + static_cast<std::ptrdiff_t>(cap.surface_triangles), is_cap.end(),
+                true);
+      found.solid.close_places =
           count_at_caps(close_places(mesh, field, options.threads), triangles, is_cap);
     });
   }
   if (reported && options.cap && run.report[Counter::cap_lifts_off_surface] > 0) {
     looks.emplace_back(
-        [&] { run.max_off_surface = max_off_surface(all_of(field), mesh, run.report); });
+        [&] { found.max_off_surface = max_off_surface(all_of(field), mesh, run.report); });
   }
   for_each_task(options.threads, looks.size(), [&](std::size_t n) { looks[n](); });
-  if (run.fault.empty()) run.fault = boundary_fault;
-  if (reported && run.has_volume() && !options.cap) {
-    run.volume = world_volume(enclosed_volume(mesh), grid.frame());
-  }
+  if (found.fault.empty()) found.fault = boundary_fault;
+  return found;
 }
 
 // Verifies the mesh against the volume, independently of the stages, as the check command verifies
 // its file: with the coordinates that the file has. Without a file they are those of a PLY file.
-void verify_run(const TriMesh& mesh, Progress& progress, MeshRun& run) {
+Verification verify_run(const TriMesh& mesh, const MeshRun& run, Progress& progress) {
   const CommandLine& line = run.line;
-  MeshWriteOptions write = line.write;
+  MeshWriteOptions write = line.mesh.write;
   if (line.output.empty()) write = {.format = MeshFormat::ply};
-  const TriMesh& made = run.rounded ? *run.rounded : mesh;
+  const TriMesh& made = run.written.rounded ? *run.written.rounded : mesh;
   WrittenMesh file = written_mesh(made, write);
   MeshNotes notes{{criteria_note(line, run.input.grid())}, 0};
   if (write.format == MeshFormat::glb) notes.rounding = 2 * float_rounding(file.points);
   const Vec3 origin = written_origin(made, write);
   for (Vec3& p : file.points) p = p + origin;
-  run.verification =
-      verify_in_world(make_tri_mesh(std::move(file.points), file.triangles), notes, line, run.input,
-                      [&](double share) { progress.show("check", share); });
+  return verify_in_world(make_tri_mesh(std::move(file.points), file.triangles), notes, line,
+                         run.input, [&](double share) { progress.show("check", share); });
 }
 
 // Returns the mesh in the world, with the vertices where the file should have them so that rounding
 // makes no faults.
 TriMesh rounded_mesh(const TriMesh& mesh, const CommandLine& line) {
   WrittenMesh world = written_mesh(mesh, {.format = MeshFormat::ply});
-  const Vec3 origin = written_origin(mesh, line.write);
+  const Vec3 origin = written_origin(mesh, line.mesh.write);
   for (Vec3& p : world.points) p = p - origin;
   world.points = round_without_faults(world.points, world.triangles, line.options.threads);
   for (Vec3& p : world.points) p = p + origin;
@@ -177,35 +182,35 @@ bool is_far(const Grid& volume) {
 // crossed itself. No other step makes triangles cross (docs/proof.md, Corollary 7.1), so no other
 // mesh is searched. If there are some, counts those of the doubles too (far from the origin of the
 // mesh at home), to see whether rounding is the cause, and tries another rounding to floats.
-// Returns a mesh to write in place of `mesh`, if that helps.
-std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run) {
+AsWritten as_written(const TriMesh& mesh, const MeshRun& run, Diagnostics& notes) {
   const CommandLine& line = run.line;
+  const MeshWriteOptions& write = line.mesh.write;
   const bool is_written = !line.output.empty();
-  const bool is_single = is_written && writes_single_precision(line.write);
+  const bool is_single = is_written && writes_single_precision(write);
   const bool may_cross = run.report[Counter::voxels_crossed] > 0;
   const bool is_coarse = is_written && !is_single && is_far(run.input.grid());
-  if (!run.has_solid() && !is_single && !is_coarse && !may_cross) return std::nullopt;
+  if (!run.has_solid() && !is_single && !is_coarse && !may_cross) return {};
   const std::vector<Triangle> triangles = mesh.triangles();
   const auto find = [&](const std::vector<Vec3>& points) {
     return find_place_faults(points, triangles, line.options.threads);
   };
   const std::vector<Vec3> points =
-      is_written ? written_points(mesh, line.write) : std::vector<Vec3>(mesh.points);
-  if (is_single) {
-    warn_of_rounding(points, run.report.max_distance, run.input.grid(), run.notes);
-  }
-  run.written = run.in_double = find(points);
-  if (is_coarse && run.written.count() > 0) run.in_double = find(mesh.points);
-  if (!is_single || run.written.count() == 0) return std::nullopt;
-  run.in_double = find(written_points(mesh, {.format = MeshFormat::ply}));
-  if (run.by_rounding().count() == 0) return std::nullopt;
+      is_written ? written_points(mesh, write) : std::vector<Vec3>(mesh.points);
+  if (is_single) warn_of_rounding(points, run.report.max_distance, run.input.grid(), notes);
+  AsWritten written;
+  written.faults = written.in_double = find(points);
+  if (is_coarse && written.faults.count() > 0) written.in_double = find(mesh.points);
+  if (!is_single || written.faults.count() == 0) return written;
+  written.in_double = find(written_points(mesh, {.format = MeshFormat::ply}));
+  if (written.by_rounding().count() == 0) return written;
   TriMesh rounded = rounded_mesh(mesh, line);
-  const std::vector<Vec3> others = written_points(rounded, line.write);
+  const std::vector<Vec3> others = written_points(rounded, write);
   const PlaceFaults left = find(others);
-  if (left.count() >= run.written.count()) return std::nullopt;
-  run.written = left;
-  for (std::size_t v = 0; v < points.size(); ++v) run.mended += points[v] == others[v] ? 0 : 1;
-  return rounded;
+  if (left.count() >= written.faults.count()) return written;
+  written.faults = left;
+  for (std::size_t v = 0; v < points.size(); ++v) written.mended += points[v] == others[v] ? 0 : 1;
+  written.rounded = std::move(rounded);
+  return written;
 }
 
 // Returns the mesh of the run's input, without a look at it.
@@ -213,7 +218,7 @@ TriMesh make_mesh(MeshRun& run, Progress& progress) {
   const CommandLine& line = run.line;
   const Volume& volume = run.input.volume();
   const double isovalue = *run.input.isovalue;
-  if (!line.allow_empty) require_isovalue_in_range(run);
+  if (!line.mesh.allow_empty) require_isovalue_in_range(run);
   if (run.input.field.label && run.input.range->max < isovalue) {
     const LabelFacts& label = *run.input.field.label;
     warn_of_vanished(joined(label.labels, ", "), label.samples, run.notes);
@@ -260,11 +265,11 @@ void warn_of_rounding(const std::vector<Vec3>& points, double max_distance, cons
 
 MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
   const CommandLine& line = run.line;
-  MeshWriteOptions options = line.write;
+  MeshWriteOptions options = line.mesh.write;
   options.comment = criteria_note(line, run.input.grid());
   const std::size_t first_cap = run.report.cap.surface_triangles;
   if (line.options.cap) options.first_cap = first_cap;
-  if (line.attributes) {
+  if (line.mesh.attributes) {
     const TriMesh surface = part_of(mesh, 0, line.options.cap ? first_cap : mesh.faces.size());
     options.attributes =
         mesh_attributes(mesh, surface, run.input.volume(), run.report, line.options.threads);
@@ -276,28 +281,26 @@ void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress) {
   const CommandLine& line = run.line;
   progress.show("check", 0);
   const Stopwatch watch;
-  run.vertices = mesh.points.size();
-  run.triangles = mesh.faces.size();
   // Caps are not compared with the exact surface.
   TriMesh without_caps;
   if (line.options.cap) without_caps = part_of(mesh, 0, run.report.cap.surface_triangles);
   const TriMesh& surface = line.options.cap ? without_caps : mesh;
-  const bool reported = !line.quiet || line.check || !line.json.empty();
-  examine(mesh, surface, reported, run);
+  const bool reported = !line.quiet || line.mesh.check || !line.json.empty();
+  run.found = examine(mesh, surface, reported, run);
   warn_of_count(counted_mesh(run), run.notes);
   advise_of_ties(run);
-  run.rounded = find_faults_as_written(mesh, run);
+  run.written = as_written(mesh, run, run.notes);
   progress.tell(run.notes);
   if (run.is_open_label()) advise_of_border(run.input.field.label->labels, run.notes);
   if (!run.is_one_of_all) progress.tell(run.notes);
-  if (line.check) verify_run(mesh, progress, run);
-  run.seconds_check = watch.seconds();
+  if (line.mesh.check) run.verification = verify_run(mesh, run, progress);
+  run.cost.check = watch.seconds();
 }
 
 void require_surface(const MeshRun& run, const TriMesh& mesh) {
   const bool capped = run.line.options.cap && !run.line.field.of_labels();
   const std::size_t facets = capped ? run.report.cap.surface_triangles : mesh.faces.size();
-  if (facets > 0 || run.line.allow_empty) return;
+  if (facets > 0 || run.line.mesh.allow_empty) return;
   throw InputError("the mesh at isovalue ", *run.input.isovalue,
                    " is empty (--allow-empty accepts that)");
 }
@@ -316,7 +319,7 @@ void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run, co
   const CommandLine& line = run.line;
   progress.show("writing", 0);
   const Stopwatch watch;
-  const TriMesh& written = run.rounded ? *run.rounded : mesh;
+  const TriMesh& written = run.written.rounded ? *run.written.rounded : mesh;
   if (objects) {
     objects->push_back({written, write_options(run, mesh)});
   } else if (!line.output.empty()) {
@@ -324,10 +327,10 @@ void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run, co
     const DeferSignals defer;
     write_mesh(written, line.output, options);
   }
-  run.seconds_write = watch.seconds();
+  run.cost.write = watch.seconds();
   progress.clear();
-  run.peak_bytes = peak_memory_bytes();
-  run.seconds_total = total.seconds();
+  run.cost.peak_bytes = peak_memory_bytes();
+  run.cost.total = total.seconds();
   if (!line.json.empty()) write_text(line.json, report_json(run));
 }
 
@@ -339,7 +342,7 @@ void print_report(const MeshRun& run) {
 
 int run_mesh(const CommandLine& line) {
   if (line.field.all_labels) return run_labels(line);
-  if (line.part) return run_part(line);
+  if (line.mesh.part) return run_part(line);
   const Stopwatch total;
   ProgressBar progress(mesh_stages(line), !line.quiet);
   progress.show("reading", 0);

@@ -42,7 +42,7 @@ int run_part(const CommandLine& line) {
   file.commit();
   progress.clear();
   if (!line.quiet && line.output != "-") {
-    print(text("part      ", line.part->number, " of ", line.part->of, " -> ",
+    print(text("part      ", line.mesh.part->number, " of ", line.mesh.part->of, " -> ",
                one_line(line.output), "\nmesh      ") +
           counted(vertices, "vertex", "vertices") + ", " + counted(triangles, "triangle") + "\n");
   }

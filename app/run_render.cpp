@@ -106,6 +106,7 @@ std::string caption_of(const std::string& label, const std::string& file, const 
 
 std::string draw(std::span<const TriMesh> meshes, std::span<const MeshNotes> notes,
                  const CommandLine& line, Diagnostics& told) {
+  const PictureChoice& picture = line.picture;
   std::optional<Input> input;
   const AnatomicalSpace space = space_of(meshes);
   if (!line.input.empty()) {
@@ -116,14 +117,14 @@ std::string draw(std::span<const TriMesh> meshes, std::span<const MeshNotes> not
   FacetColors colors = color_facets(meshes, notes, line, input ? &*input : nullptr);
   const Box3 box = box_of(meshes);
   TriMesh one;
-  if (line.overlay) {
+  if (picture.overlay) {
     one = laid_over(meshes, colors);
     meshes = {&one, 1};
   }
-  RenderOptions options = line.render;
+  RenderOptions options = picture.render;
   options.bar = colors.bar;
   std::function<std::optional<double>(const Vec3&)> section;
-  if (line.section) {
+  if (picture.section) {
     const Volume& volume = input->volume();
     section = gray_inside(volume, geometric_isovalue(volume.type(), *input->isovalue),
                           gray_window(volume, *input->range));
@@ -132,14 +133,14 @@ std::string draw(std::span<const TriMesh> meshes, std::span<const MeshNotes> not
   std::string sizes;
   std::vector<std::vector<std::uint8_t>> framed(meshes.size());
   options.threads = line.options.threads;
-  if (line.axes) options.axes = axis_names(space);
+  if (picture.axes) options.axes = axis_names(space);
   for (std::size_t n = 0; n < meshes.size(); ++n) {
-    if (!options.aim.look_at && line.clips.empty()) {
+    if (!options.aim.look_at && picture.clips.empty()) {
       framed[n] = facets_of_most_area(meshes[n], facet_components(meshes[n]));
     }
     subjects.push_back({&meshes[n], {}, colors.of_mesh[n], framed[n]});
-    if (!line.clips.empty()) {
-      const auto& clip = line.clips[line.clips.size() == 1 ? 0 : n];
+    if (!picture.clips.empty()) {
+      const auto& clip = picture.clips[picture.clips.size() == 1 ? 0 : n];
       if (clip) subjects.back().clip = plane_of(*clip, box);
       subjects.back().section = section;
     }
@@ -147,8 +148,8 @@ std::string draw(std::span<const TriMesh> meshes, std::span<const MeshNotes> not
     if (!colors.components.empty()) {
       size += ", " + counted(colors.components[n], "component");
     }
-    if (!line.labels.empty()) {
-      const std::string& label = line.labels[line.labels.size() == 1 ? 0 : n];
+    if (!picture.labels.empty()) {
+      const std::string& label = picture.labels[picture.labels.size() == 1 ? 0 : n];
       options.captions.push_back(caption_of(label, line.meshes[n], size));
     }
     sizes += (n == 0 ? "" : " | ") + size;
@@ -157,9 +158,9 @@ std::string draw(std::span<const TriMesh> meshes, std::span<const MeshNotes> not
   try {
     if (!options.view) {
       options.view =
-          best_view(subjects, layout_of(options, subjects.size()).panel, line.up.value_or(Up{}));
+          best_view(subjects, layout_of(options, subjects.size()).panel, picture.up.value_or(Up{}));
     }
-    options.view->up = line.up.value_or(Up{});
+    options.view->up = picture.up.value_or(Up{});
     image = render(subjects, options);
   } catch (const InputError& error) {
     throw InputError("cannot draw '", joined(line.meshes, "', '"), "': ", error.what());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // deliso mesh --label all --shared FILE: the files of labels that share their interfaces.
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,9 +29,9 @@ void write_label_meshes(const SharedRun& run, std::span<const CommandLine> lines
     TriMesh mesh = run.mesh.mesh_of(body);
     mesh.frame = run.input.grid().frame();
     MeshWriteOptions write = options_of_label(united, label);
-    write.format = one->write.format;
-    write.name = one->write.name;
-    write.label = one->write.label;
+    write.format = one->mesh.write.format;
+    write.name = one->mesh.write.name;
+    write.label = one->mesh.write.label;
     if (in_one_file(run.line)) {
       objects.push_back({std::move(mesh), write});
       labels.push_back(label);
@@ -56,12 +55,12 @@ int run_shared(const Stopwatch& total, const Source& source, const CommandLine& 
   write_label_meshes(run, lines);
   {
     const DeferSignals defer;
-    write_mesh(united_mesh(run), line.shared, united_options(run));
+    write_mesh(united_mesh(run), line.mesh.shared, united_options(run));
   }
-  run.seconds_write = watch.seconds();
+  run.cost.write = watch.seconds();
   progress.clear();
-  run.peak_bytes = peak_memory_bytes();
-  run.seconds_total = total.seconds();
+  run.cost.peak_bytes = peak_memory_bytes();
+  run.cost.total = total.seconds();
   if (!line.json.empty()) write_text(line.json, report_json(run));
   if (!line.quiet) print_report(report_text(run), line.output == "-" || line.json == "-");
   return run.sound() ? kExitSuccess : kFaultFound;

@@ -46,7 +46,7 @@ int run_trace(const CommandLine& line) {
   Diagnostics notes = input.log.notes;
   progress.tell(notes);
   require_limits(line.options, input.grid());
-  Trace trace(line.trace_limit, line.trace_times);
+  Trace trace(line.trace.limit, line.trace.times);
   Report report;
   const TriMesh mesh = traced_mesh(line, input, progress, trace, report);
   if (mesh.faces.empty()) {
@@ -68,7 +68,7 @@ int run_trace(const CommandLine& line) {
   }
   progress.clear();
   if (trace.truncated()) {
-    add_warning(notes, "trace-cut", "", "the page has the first ", line.trace_limit, " of ",
+    add_warning(notes, "trace-cut", "", "the page has the first ", line.trace.limit, " of ",
                 trace.events_seen(), " events: --trace-limit N takes more");
   }
   if (!has_samples) {

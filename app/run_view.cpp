@@ -2,7 +2,6 @@
 // The view command: meshes from files in, a page for a browser out. Its points have single
 // precision. They are relative to the middle of all meshes, since a scanner's origin may be far
 // away.
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -79,7 +78,7 @@ int run_view(const CommandLine& line) {
   PageData data;
   JsonWriter header;
   std::string title, sizes;
-  const Up up = line.up.value_or(Up{});
+  const Up up = line.picture.up.value_or(Up{});
   header.add("kind", "view");
   header.add("up", {double(up.axis), up.sign});
   header.add("origin", {middle.x, middle.y, middle.z});

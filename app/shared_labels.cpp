@@ -50,8 +50,9 @@ SurfaceEstimate estimate_interfaces(std::span<const Volume> fields) {
   return all;
 }
 
-// Returns the labels' weighted indicators.
-std::vector<Volume> fields_of(SharedRun& run, Progress& progress) {
+// Makes the labels' weighted indicators and returns them. Fills in the labels' weights, and
+// seconds.
+std::vector<Volume> make_fields(SharedRun& run, Progress& progress) {
   const CommandLine& line = run.line;
   const Volume volume = run.input.volume();
   const Stopwatch watch;
@@ -161,7 +162,7 @@ void mesh_labels(SharedRun& run, Progress& progress) {
   const CommandLine& line = run.line;
   const Grid& volume = run.input.grid();
   require_limits(line.options, volume);
-  std::vector<Volume> fields = fields_of(run, progress);
+  std::vector<Volume> fields = make_fields(run, progress);
   warn_of_size(expected_vertices(estimate_interfaces(fields), volume, line.options), run.notes);
   progress.tell(run.notes);
   const Partition partition(volume, std::move(fields), background_of(run.labels),
@@ -171,7 +172,7 @@ void mesh_labels(SharedRun& run, Progress& progress) {
   Options options = line.options;
   options.observer = &progress;
   run.mesh = mesh_interfaces(partition, options, run.report);
-  if (run.mesh.facets.empty() && !line.allow_empty) {
+  if (run.mesh.facets.empty() && !line.mesh.allow_empty) {
     throw InputError(line.input,
                      ": no two labels meet, so the mesh is empty (--cap closes labels "
                      "on the volume's border, --allow-empty accepts it)");
@@ -183,19 +184,15 @@ void mesh_labels(SharedRun& run, Progress& progress) {
   examine_whole(run);
   warn_of_count(counted_mesh(run), run.notes);
   progress.tell(run.notes);
-  run.seconds_check = watch.seconds();
+  run.cost.check = watch.seconds();
 }
 
 // "fields 0.10, labels 0.01", in seconds; what took none is left out.
 std::string stages_text(const SharedRun& run) {
   std::string words;
-  const Report& report = run.report;
-  for (const auto& [stage, seconds] :
-       {std::pair{"read", run.input.seconds}, std::pair{"fields", run.input.field.seconds},
-        std::pair{"labels", report.seconds_contour}, std::pair{"coarsen", report.seconds_coarsen},
-        std::pair{"refine", report.seconds_refine}, std::pair{"check", run.seconds_check},
-        std::pair{"write", run.seconds_write}}) {
-    if (seconds > 0) words += text(words.empty() ? "" : ", ", stage, " ", fixed(seconds, 2));
+  for (const Figure& step : steps_of(run)) {
+    if (step.label.empty() || step.value <= 0) continue;
+    words += text(words.empty() ? "" : ", ", step.label, " ", fixed(step.value, 2));
   }
   return words;
 }
@@ -222,7 +219,7 @@ SharedRun::SharedRun(const CommandLine& command_line, const Source& source,
     label.label = found;
     const auto own = std::ranges::find_if(
         lines, [&](const CommandLine& one) { return one.field.labels.front() == found.label; });
-    if (own != lines.end()) label.name = own->write.name;
+    if (own != lines.end()) label.name = own->mesh.write.name;
     labels.push_back(std::move(label));
   }
   require_numbers(line, source.labels);
@@ -251,8 +248,8 @@ TriMesh united_mesh(const SharedRun& run) {
 }
 
 MeshWriteOptions united_options(const SharedRun& run) {
-  MeshWriteOptions write = run.line.write;
-  if (!run.line.shared.empty()) write.format = mesh_format_of(run.line.shared);
+  MeshWriteOptions write = run.line.mesh.write;
+  if (!run.line.mesh.shared.empty()) write.format = mesh_format_of(run.line.mesh.shared);
   write.comment = text("deliso ", kVersion, " shared", field_note(run.line.field, run.input.grid()),
                        kAllLabels);
   write.sides = run.sides;
@@ -287,6 +284,20 @@ CountedMesh counted_mesh(const SharedRun& run) {
           Options::kNoTarget, Options::kNoTarget,   all};
 }
 
+std::vector<Figure> steps_of(const SharedRun& run) {
+  const Report& report = run.report;
+  return {{"read", "read", run.input.seconds, "reading, and looking at every sample once"},
+          {"filter", "fields", run.input.field.seconds, "the labels' weights and fields"},
+          {"labels", "labels", report.seconds_contour, "T_L"},
+          {"coarsen", "coarsen", report.seconds_coarsen,
+           "Stage 1: vertices of T_L that are not needed go"},
+          {"refine", "refine", report.seconds_refine, "Stage 2"},
+          {"meshing", "", report.seconds_total, "all that makes the mesh, of the fields"},
+          {"check", "check", run.cost.check, "looking at the mesh afterwards"},
+          {"write", "write", run.cost.write, "writing the meshes"},
+          {"total", "", run.cost.total, "the run"}};
+}
+
 std::string report_text(const SharedRun& run) {
   std::vector<LabelSamples> labels;
   for (const SharedLabel& l : run.labels) labels.push_back(l.label);
@@ -298,28 +309,27 @@ std::string report_text(const SharedRun& run) {
   const std::size_t facets = run.mesh.facets.size(), caps = facets - run.mesh.inner_facets;
   const auto pairs = static_cast<std::uint64_t>(std::ranges::count_if(
       run.borders, [](const SharedBorder& border) { return !border.is_cap; }));
-  lines += text("shared    ", counted(run.mesh.points.size(), "vertex", "vertices"), ", ",
-                counted(facets, "triangle"),
-                caps > 0 ? text(" (", grouped(caps), " on the volume's border)") : "", " -> ",
-                one_line(run.line.shared), "\n          ", counted(pairs, "pair"), " of labels, ",
-                run.written.count() == 0 ? "no crossings" : place_faults_text(run.written),
-                ", smallest angle ", fixed(run.quality.min_angle, 2), " degrees, ",
-                fixed(sharp_percent(run.quality), 2), " % below 15\n");
+  lines +=
+      text("shared    ", counted(run.mesh.points.size(), "vertex", "vertices"), ", ",
+           counted(facets, "triangle"),
+           caps > 0 ? text(" (", grouped(caps), " on the volume's border)") : "", " -> ",
+           one_line(run.line.mesh.shared), "\n          ", counted(pairs, "pair"), " of labels, ",
+           run.written.count() == 0 ? "no crossings" : place_faults_text(run.written),
+           ", smallest angle ", fixed(run.quality.min_angle, 2), " degrees, ",
+           fixed(sharp_percent(run.quality), 2), " % below 15\n");
   for (const SharedLabel& l : run.labels) {
     if (!l.fault.empty()) lines += text("fault     label ", l.label.label, ": ", l.fault, "\n");
   }
   const CountedMesh asked = counted_mesh(run);
   if (count_stop(asked) != CountStop::none) lines += text("count     ", count_text(asked), "\n");
   for (const SharedBorder& border : run.borders) {
-    if (!run.line.verbose) break;
+    if (!run.line.mesh.verbose) break;
     lines += text("border    ", border.sides[0], " and ", border.sides[1], ": ") +
              counted(border.triangles, "triangle") + ", area " + rounded(border.area, 6) + "\n";
   }
   lines += counters_text(run.report);
-  if (run.line.verbose) lines += operations_text(run.report);
-  return lines + text("cost      ", stages_text(run), "; ", fixed(run.seconds_total, 2),
-                      " seconds, ", fixed(static_cast<double>(run.peak_bytes) / 0x1p20, 1),
-                      " MiB at most\n");
+  if (run.line.mesh.verbose) lines += operations_text(run.report);
+  return lines + text("cost      ", stages_text(run), "; ", cost_text(run.cost));
 }
 
 }  // namespace deliso

@@ -14,7 +14,9 @@
 #include "app/count_stop.h"
 #include "app/input.h"
 #include "app/label_table.h"
+#include "app/mesh_run.h"
 #include "app/progress.h"
+#include "app/report_writer.h"
 #include "check/place_faults.h"
 #include "check/quality.h"
 #include "io/mesh/write_mesh.h"
@@ -56,8 +58,7 @@ struct SharedRun {
   std::vector<SharedBorder> borders;
   MeshQuality quality;  // of all facets
   PlaceFaults written;  // of the mesh as it is in the file
-  double seconds_check = 0, seconds_write = 0, seconds_total = 0;
-  std::uint64_t peak_bytes = 0;  // of the process
+  RunCost cost;
 
   bool sound() const;
 };
@@ -75,6 +76,9 @@ MeshWriteOptions options_of_label(const MeshWriteOptions& united, std::int64_t l
 
 // For a number that was asked for. The topology is that of all labels together.
 CountedMesh counted_mesh(const SharedRun& run);
+
+// Returns the seconds of the steps.
+std::vector<Figure> steps_of(const SharedRun& run);
 
 std::string report_text(const SharedRun& run);
 std::string report_json(const SharedRun& run);

@@ -20,14 +20,13 @@ std::string volume_text(double volume) {
   return is_large ? grouped(static_cast<std::uint64_t>(std::llround(volume))) : rounded(volume, 6);
 }
 
-std::string solid_text(std::size_t cap_vertices, std::size_t cap_triangles, double volume,
-                       const MeshQuality& caps) {
-  std::string line = text("volume ", rounded(volume, 6), "; caps of ") +
-                     counted(cap_triangles, "triangle") + ", " +
-                     counted(cap_vertices, "new vertex", "new vertices");
-  if (cap_triangles > 0) {
-    line += text(",\n          their smallest angle ", rounded(caps.min_angle),
-                 " degrees, largest r/l ", rounded(caps.max_r_over_l));
+std::string solid_text(const SolidSummary& solid, const Frame& frame) {
+  std::string line = text("volume ", rounded(world_volume(solid.volume, frame), 6), "; caps of ",
+                          counted(solid.cap_triangles, "triangle"), ", ",
+                          counted(solid.cap_vertices, "new vertex", "new vertices"));
+  if (solid.cap_triangles > 0) {
+    line += text(",\n          their smallest angle ", rounded(solid.quality.min_angle),
+                 " degrees, largest r/l ", rounded(solid.quality.max_r_over_l));
   }
   return line;
 }
@@ -37,12 +36,12 @@ std::string close_at_caps_text(std::size_t count) {
          " where caps are needles, are folded, or nearly touch a triangle";
 }
 
-void add_solid(ReportWriter& out, std::size_t cap_vertices, std::size_t cap_triangles,
-               double volume, const MeshQuality& caps) {
+void add_solid(ReportWriter& out, const SolidSummary& solid, const Frame& frame) {
+  const MeshQuality& caps = solid.quality;
   out.open("solid", "with --cap: the surface closed on the box");
-  out.add("volume", volume, "enclosed; world units, cubed");
-  out.add("cap_vertices", cap_vertices, "of no triangle of the surface");
-  out.add("cap_triangles", cap_triangles, "on the box");
+  out.add("volume", world_volume(solid.volume, frame), "enclosed; world units, cubed");
+  out.add("cap_vertices", solid.cap_vertices, "of no triangle of the surface");
+  out.add("cap_triangles", solid.cap_triangles, "on the box");
   out.add("cap_area", caps.area, "of the caps; scaled frame");
   out.add("cap_min_angle_degrees", caps.min_angle, "the smallest angle of a cap's triangle");
   out.add("cap_max_r_over_l", caps.max_r_over_l, "their largest r/l", Rule::nullable);

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/report_writer.h"
-#include "check/quality.h"
-#include "volume/volume.h"
+#include "base/frame.h"
+#include "check/verify.h"
 
 namespace deliso {
 
@@ -15,8 +15,7 @@ namespace deliso {
 double world_volume(double scaled, const Frame& frame);
 
 // Returns "volume 12.5, caps of 7 new vertices and 31 triangles, ...", without an end of line.
-std::string solid_text(std::size_t cap_vertices, std::size_t cap_triangles, double volume,
-                       const MeshQuality& caps);
+std::string solid_text(const SolidSummary& solid, const Frame& frame);
 
 // The meaning of the number of count_at_caps() in the JSON.
 inline constexpr const char* kCapClosePlaces =
@@ -30,7 +29,6 @@ std::string close_at_caps_text(std::size_t count);
 std::string volume_text(double volume);
 
 // Adds an object "solid".
-void add_solid(ReportWriter& out, std::size_t cap_vertices, std::size_t cap_triangles,
-               double volume, const MeshQuality& caps);
+void add_solid(ReportWriter& out, const SolidSummary& solid, const Frame& frame);
 
 }  // namespace deliso

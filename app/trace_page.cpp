@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/trace_page.h"
 
-#include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <vector>
 
 #include "app/criterion_words.h"
@@ -175,7 +173,7 @@ std::string trace_header(const CommandLine& line, const Input& input, const Repo
   const Vec3 spacing = volume.spacing();
   const Scale scale = scale_of(volume, *input.range);
   JsonWriter json;
-  const Up up = line.up.value_or(superior_of(volume.frame()));
+  const Up up = line.picture.up.value_or(superior_of(volume.frame()));
   json.add("kind", "trace");
   json.add("up", {double(up.axis), up.sign});
   json.add("input", input.name);
@@ -186,7 +184,7 @@ std::string trace_header(const CommandLine& line, const Input& input, const Repo
   json.add("voxel", volume.voxel());
   json.add("r_min", report.r_min);
   json.add("truncated", trace.truncated());
-  json.add("limit", line.trace_limit);
+  json.add("limit", line.trace.limit);
   json.add("events_seen", trace.events_seen());
   add_routines(json);
   add_outcomes(json);

@@ -122,8 +122,8 @@ void take(const TriMesh& surface, MeshRun& run, double seconds, deliso_mesh& mad
   made.mesh = written_mesh(surface, {.format = MeshFormat::ply});
   made.write = write_options(run, surface);
   made.space = surface.frame.space;
-  run.peak_bytes = peak_memory_bytes();
-  run.seconds_total = seconds;
+  run.cost.peak_bytes = peak_memory_bytes();
+  run.cost.total = seconds;
   made.report = report_json(run);
   tell(run.notes);
 }

@@ -254,8 +254,8 @@ deliso_status deliso_mesh_shared(const deliso_volume* volume, const char* const*
     const Stopwatch total;
     CommandLine line = line_of_all({"mesh", "--label=all", "--shared=array.ply"}, *volume, options);
     WatchedProgress progress(mesh_stages(line), watch);
-    line.shared.clear();  // no file is written
-    line.write.format.reset();
+    line.mesh.shared.clear();  // no file is written
+    line.mesh.write.format.reset();
     const Source source = ::source_of(*volume, line);
     SharedRun run(line, source, lines_of_labels(line, source));
     auto made = std::make_unique<deliso_mesh>();
@@ -266,8 +266,8 @@ deliso_status deliso_mesh_shared(const deliso_volume* volume, const char* const*
     for (const SharedLabel& l : run.labels) {
       if (!l.name.empty()) made->names += text(l.label.label, " ", one_line(l.name), "\n");
     }
-    run.peak_bytes = peak_memory_bytes();
-    run.seconds_total = total.seconds();
+    run.cost.peak_bytes = peak_memory_bytes();
+    run.cost.total = total.seconds();
     made->report = report_json(run);
     tell(run.notes);
     *mesh = made.release();

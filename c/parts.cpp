@@ -86,9 +86,8 @@ deliso_status deliso_join(const char* const* parts, const size_t* sizes, size_t 
     require(sizes, "sizes");
     const Stopwatch total;
     const VolumeSource volume = volume_of(source);
-    CommandLine join = parse({"join", kName, text("--volume=", kName), "--output=-"}, options);
-    join.output.clear();
-    join.write.format.reset();
+    const CommandLine join =
+        parse({"join", kName, text("--volume=", kName), "--output=-"}, options);
     std::vector<PartFile> files;
     for (size_t n = 0; n < count; ++n) {
       require(parts[n], "a part");
@@ -96,7 +95,9 @@ deliso_status deliso_join(const char* const* parts, const size_t* sizes, size_t 
           part_in(std::as_bytes(std::span(parts[n], sizes[n])), text("parts[", n, "]")));
     }
     sort_parts(files);
-    const CommandLine line = line_of_join(join, files.front());
+    CommandLine line = line_of_join(join, files.front());
+    line.output.clear();  // no file is written
+    line.mesh.write.format.reset();
     const FieldSource field = field_source(volume, line, kName);
     require_field(files, field, line.options, kName);
     WatchedProgress progress(mesh_stages(line), watch);

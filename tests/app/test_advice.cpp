@@ -130,7 +130,7 @@ TEST_CASE("a label that fills the volume is a block with --cap") {
   // A part that is joined knows of the label by its options alone.
   const TemporaryFolder folder;
   const std::string volume = folder.write("full.raw", std::string(64, 1)),
-                    one = folder / "one.part";
+                    one = folder / "one.mesh.part";
   const std::string mesh = folder / "whole.ply", other = folder / "joined.ply";
   const std::string options = volume + " --dims 4x4x4 --type uint8 --label 1 --cap -q -o ";
   CHECK(run_mesh(parsed(options + mesh)) == kExitSuccess);

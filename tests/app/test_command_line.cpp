@@ -11,7 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "app/option_table.h"
 #include "app/parsed_line.h"
+#include "app/parts.h"
 #include "app/published.h"
 #include "base/check.h"
 #include "base/random.h"
@@ -80,10 +82,10 @@ TEST_CASE("by default the distance is bounded, in voxels") {
   CHECK(line.options.limits[Criterion::r_over_l].value == 2.0);
   CHECK(same(line.options.r_min, {0.25, Length::Unit::voxel}));
   CHECK_FALSE(by_count(line.options));
-  CHECK_FALSE(line.given.limits[Criterion::distance]);
-  CHECK_FALSE(line.given.r_min);
-  CHECK_FALSE(line.given.limits[Criterion::r_over_l]);
-  CHECK_FALSE(line.given.limits[Criterion::h_over_r]);
+  CHECK_FALSE(line.verify.given.limits[Criterion::distance]);
+  CHECK_FALSE(line.verify.given.r_min);
+  CHECK_FALSE(line.verify.given.limits[Criterion::r_over_l]);
+  CHECK_FALSE(line.verify.given.limits[Criterion::h_over_r]);
   CHECK_FALSE(line.read.raw.has_value());
 }
 
@@ -110,11 +112,11 @@ TEST_CASE("every option reaches its field") {
   CHECK(options.cap);
   CHECK(line.json == "-");
   CHECK(line.quiet);
-  CHECK(line.allow_empty);
-  CHECK(line.check);
-  CHECK(line.write.ascii);
-  CHECK(line.write.single_precision);
-  CHECK(line.write.format == MeshFormat::ply);
+  CHECK(line.mesh.allow_empty);
+  CHECK(line.mesh.check);
+  CHECK(line.mesh.write.ascii);
+  CHECK(line.mesh.write.single_precision);
+  CHECK(line.mesh.write.format == MeshFormat::ply);
   REQUIRE(line.read.raw.has_value());
   CHECK(line.read.raw->dims == Index3{4, 5, 6});
   CHECK(line.read.raw->type == SampleType::u16);
@@ -277,13 +279,13 @@ TEST_CASE("--vertices and --triangles are parsed, and options that exclude them 
 
 TEST_CASE("the criteria of a check are known as given or not") {
   const CommandLine line = parsed("check m a --iso 1 --rmin 1vox");
-  CHECK(line.given.r_min);
-  CHECK_FALSE(line.given.limits[Criterion::distance]);
+  CHECK(line.verify.given.r_min);
+  CHECK_FALSE(line.verify.given.limits[Criterion::distance]);
   const CommandLine others = parsed("check m a --iso 1 --max-distance 1 --eps1 1 --lambda 3");
-  CHECK_FALSE(others.given.r_min);
-  CHECK(others.given.limits[Criterion::distance]);
-  CHECK(others.given.limits[Criterion::r_over_l]);
-  CHECK(others.given.limits[Criterion::h_over_r]);
+  CHECK_FALSE(others.verify.given.r_min);
+  CHECK(others.verify.given.limits[Criterion::distance]);
+  CHECK(others.verify.given.limits[Criterion::r_over_l]);
+  CHECK(others.verify.given.limits[Criterion::h_over_r]);
 }
 
 TEST_CASE("the help of a command lists its options and no others") {
@@ -328,60 +330,62 @@ TEST_CASE("every option of pictures reaches its field") {
   CHECK(line.command == Command::render);
   CHECK(line.meshes == std::vector<std::string>{"m.off"});
   CHECK(line.output == "m.png");
-  CHECK(line.render.view == View{-30.5, 20});
-  CHECK(line.render.aim.zoom == 1.5);
-  CHECK(line.render.size == PictureSize{640, 480});
-  CHECK(line.render.shading == Shading::flat);
-  CHECK(line.render.edges == Edges::hidden);
-  CHECK(line.render.aim.look_at == Vec3{1, -2.5, 0});
-  REQUIRE(line.clips.size() == 1);
-  REQUIRE(line.clips[0].has_value());
-  CHECK_FALSE(line.clips[0]->plane.has_value());
-  CHECK(line.clips[0]->axis == 1);
-  CHECK(line.clips[0]->fraction == 0.25);
-  CHECK(line.clips[0]->keep_above);
+  CHECK(line.picture.render.view == View{-30.5, 20});
+  CHECK(line.picture.render.aim.zoom == 1.5);
+  CHECK(line.picture.render.size == PictureSize{640, 480});
+  CHECK(line.picture.render.shading == Shading::flat);
+  CHECK(line.picture.render.edges == Edges::hidden);
+  CHECK(line.picture.render.aim.look_at == Vec3{1, -2.5, 0});
+  REQUIRE(line.picture.clips.size() == 1);
+  REQUIRE(line.picture.clips[0].has_value());
+  CHECK_FALSE(line.picture.clips[0]->plane.has_value());
+  CHECK(line.picture.clips[0]->axis == 1);
+  CHECK(line.picture.clips[0]->fraction == 0.25);
+  CHECK(line.picture.clips[0]->keep_above);
   CHECK(line.quiet);
   const CommandLine paper = parsed(
       "render m.off -o - --opacity 0.25 --color #ff0000/black --scale-bar mm --axes --occlusion "
       "off");
-  CHECK(paper.render.opacity == 0.25);
-  CHECK(paper.render.palette.outside == Vec3{1, 0, 0});
-  CHECK(paper.render.palette.inside == Vec3{0, 0, 0});
-  CHECK(paper.render.scale_bar == "mm");
-  CHECK(paper.axes);
-  CHECK_FALSE(paper.render.occlusion);
+  CHECK(paper.picture.render.opacity == 0.25);
+  CHECK(paper.picture.render.palette.outside == Vec3{1, 0, 0});
+  CHECK(paper.picture.render.palette.inside == Vec3{0, 0, 0});
+  CHECK(paper.picture.render.scale_bar == "mm");
+  CHECK(paper.picture.axes);
+  CHECK_FALSE(paper.picture.render.occlusion);
   const CommandLine plane = parsed("render m.off -o - --clip 1,-2,0.5,7");
-  REQUIRE(plane.clips.size() == 1);
-  REQUIRE(plane.clips[0].has_value());
-  REQUIRE(plane.clips[0]->plane.has_value());
-  CHECK(plane.clips[0]->plane->normal == Vec3{1, -2, 0.5});
-  CHECK(plane.clips[0]->plane->offset == 7);
-  CHECK(parsed("render m.off -o - --up -y").up == Up{1, -1});
-  CHECK(parsed("view m.off -o - --up x").up == Up{0, 1});
-  CHECK(parsed("trace builtin:fuel -o - --up -z").up == Up{2, -1});
+  REQUIRE(plane.picture.clips.size() == 1);
+  REQUIRE(plane.picture.clips[0].has_value());
+  REQUIRE(plane.picture.clips[0]->plane.has_value());
+  CHECK(plane.picture.clips[0]->plane->normal == Vec3{1, -2, 0.5});
+  CHECK(plane.picture.clips[0]->plane->offset == 7);
+  CHECK(parsed("render m.off -o - --up -y").picture.up == Up{1, -1});
+  CHECK(parsed("view m.off -o - --up x").picture.up == Up{0, 1});
+  CHECK(parsed("trace builtin:fuel -o - --up -z").picture.up == Up{2, -1});
   const CommandLine bare = parsed("render m.off -o -");
-  CHECK_FALSE(bare.up.has_value());
-  CHECK_FALSE(bare.render.view.has_value());
-  CHECK_FALSE(bare.render.aim.look_at.has_value());
-  CHECK(bare.clips.empty());
-  CHECK(bare.labels.empty());
-  CHECK(bare.color_by == ColorBy::side);
+  CHECK_FALSE(bare.picture.up.has_value());
+  CHECK_FALSE(bare.picture.render.view.has_value());
+  CHECK_FALSE(bare.picture.render.aim.look_at.has_value());
+  CHECK(bare.picture.clips.empty());
+  CHECK(bare.picture.labels.empty());
+  CHECK(bare.picture.color_by == ColorBy::side);
 }
 
 TEST_CASE("render takes any number of meshes, and one plane or label or as many as meshes") {
   using Words = std::vector<std::string>;
   const CommandLine line = parsed("render a.ply - c.off -o m.png --clip off/x:0.5/1,0,0,2");
   CHECK(line.meshes == Words{"a.ply", "-", "c.off"});
-  REQUIRE(line.clips.size() == 3);
-  CHECK_FALSE(line.clips[0].has_value());
-  REQUIRE(line.clips[1].has_value());
-  CHECK(line.clips[1]->axis == 0);
-  REQUIRE(line.clips[2].has_value());
-  CHECK(line.clips[2]->plane.has_value());
-  CHECK(parsed("render a b c -o m.png --clip x:0.5").clips.size() == 1);
-  CHECK(parsed("render a b -o m.png --labels auto").labels == Words{"auto"});
-  CHECK(parsed("render a -o m.png --labels Marching~Cubes").labels == Words{"Marching Cubes"});
-  CHECK(parsed("render a b c -o m.png --labels one/auto/").labels == Words{"one", "auto", ""});
+  REQUIRE(line.picture.clips.size() == 3);
+  CHECK_FALSE(line.picture.clips[0].has_value());
+  REQUIRE(line.picture.clips[1].has_value());
+  CHECK(line.picture.clips[1]->axis == 0);
+  REQUIRE(line.picture.clips[2].has_value());
+  CHECK(line.picture.clips[2]->plane.has_value());
+  CHECK(parsed("render a b c -o m.png --clip x:0.5").picture.clips.size() == 1);
+  CHECK(parsed("render a b -o m.png --labels auto").picture.labels == Words{"auto"});
+  CHECK(parsed("render a -o m.png --labels Marching~Cubes").picture.labels ==
+        Words{"Marching Cubes"});
+  CHECK(parsed("render a b c -o m.png --labels one/auto/").picture.labels ==
+        Words{"one", "auto", ""});
 }
 
 TEST_CASE("options of colors, a volume and its isovalue are parsed for pictures and pages") {
@@ -394,9 +398,9 @@ TEST_CASE("options of colors, a volume and its isovalue are parsed for pictures 
     CHECK(either.read.raw->dims == Index3{2, 3, 4});
     CHECK(either.isovalue == 7);
   }
-  CHECK(line.color_by == ColorBy::distance);
-  CHECK(line.render.palette.background == Vec3{1, 128 / 255.0, 0});
-  CHECK(parsed("render m -o - --background black").render.palette.background == Vec3{});
+  CHECK(line.picture.color_by == ColorBy::distance);
+  CHECK(line.picture.render.palette.background == Vec3{1, 128 / 255.0, 0});
+  CHECK(parsed("render m -o - --background black").picture.render.palette.background == Vec3{});
   CHECK(page.command == Command::view);
   CHECK(page.meshes == std::vector<std::string>{"a.ply", "b.off"});
   CHECK(page.output == "p.html");
@@ -410,7 +414,7 @@ TEST_CASE("options of colors, a volume and its isovalue are parsed for pictures 
 }
 
 TEST_CASE("the larger the picture, the less it can be zoomed into") {
-  CHECK(parsed("render m -o - --size 9933x14043 --zoom 40").render.size ==
+  CHECK(parsed("render m -o - --size 9933x14043 --zoom 40").picture.render.size ==
         PictureSize{9933, 14043});
   parsed("render m -o - --zoom 64 --size 8192x8192");
 }
@@ -421,16 +425,16 @@ TEST_CASE("every format is chosen by its name and by its ending") {
       {"stl", MeshFormat::stl},      {"vtp", MeshFormat::vtp},     {"glb", MeshFormat::glb},
       {"3mf", MeshFormat::three_mf}, {"smesh", MeshFormat::smesh}, {"poly", MeshFormat::poly}};
   for (const auto& [name, format] : formats) {
-    CHECK(parsed("a --iso 1 -o m." + name).write.format == format);
-    CHECK(parsed("a --iso 1 -o - --format " + name).write.format == format);
-    CHECK(parsed("a --iso 1 -o m.ply --format " + name).write.format == format);
+    CHECK(parsed("a --iso 1 -o m." + name).mesh.write.format == format);
+    CHECK(parsed("a --iso 1 -o - --format " + name).mesh.write.format == format);
+    CHECK(parsed("a --iso 1 -o m.ply --format " + name).mesh.write.format == format);
     const bool has_attributes = name == "ply" || name == "vtp" || name == "glb";
     CHECK(refusal("a --iso 1 --attributes -o m." + name) ==
           (has_attributes ? "" : "--attributes needs PLY, VTP or GLB output"));
   }
-  CHECK(parsed("a --iso 1 -o -").write.format == MeshFormat::ply);
-  CHECK(parsed("a --iso 1 --attributes -o -").attributes);
-  CHECK_FALSE(parsed("a --iso 1 -o m.ply").attributes);
+  CHECK(parsed("a --iso 1 -o -").mesh.write.format == MeshFormat::ply);
+  CHECK(parsed("a --iso 1 --attributes -o -").mesh.attributes);
+  CHECK_FALSE(parsed("a --iso 1 -o m.ply").mesh.attributes);
 }
 
 TEST_CASE("help and version win over everything after them, and need no input") {
@@ -453,10 +457,10 @@ TEST_CASE("check takes a mesh and a volume, info and built-in fields need no iso
   CHECK(line.command == Command::check);
   CHECK(line.meshes == std::vector<std::string>{"a.ply"});
   CHECK(line.input == "b.nrrd");
-  CHECK(line.restricted_share == 0.5);
-  CHECK_FALSE(line.triangulate);
-  CHECK(parsed("check a.ply b.nrrd --iso 3 --triangulate").triangulate);
-  CHECK(parsed("check a.ply b.nrrd --iso 3").restricted_share == 0);
+  CHECK(line.verify.restricted_share == 0.5);
+  CHECK_FALSE(line.verify.triangulate);
+  CHECK(parsed("check a.ply b.nrrd --iso 3 --triangulate").verify.triangulate);
+  CHECK(parsed("check a.ply b.nrrd --iso 3").verify.restricted_share == 0);
   CHECK(parsed("info a.nrrd").command == Command::info);
   CHECK_FALSE(parsed("info a.nrrd").isovalue.has_value());
   CHECK(parsed("builtin:torus").isovalue.has_value());
@@ -654,6 +658,8 @@ TEST_CASE("each command line that is refused has its message") {
       {"trace builtin:torus:16 -o a.html --part 1/2", "--part has no meaning for deliso trace"},
       {"trace volume.nrrd -o a.html", "no isovalue given..."},
       {"trace builtin:torus:16 -o a.html --trace-limit 0", "--trace-limit..."},
+      {"join a.part --volume v.nrrd -o - --json -",
+       "-o and --json cannot both go to standard output"},
       {"join - - --volume v.nrrd -o whole.ply", "... standard input..."},
       {"join a.part --volume v.nrrd --iso 1 -o a.ply", "--iso has no meaning for deliso join"}};
   for (const auto& expected : refused) {
@@ -840,7 +846,7 @@ TEST_CASE("--label all wants one place for the label in the names of outputs") {
 
 TEST_CASE("--part is parsed, and options that a part cannot have are refused; parts are joined") {
   const CommandLine line = parsed("a.nrrd -k 1 --part 3/64 -o p.part --cap --largest=2");
-  CHECK(line.part == PartChoice{3, 64});
+  CHECK(line.mesh.part == PartChoice{3, 64});
   CHECK(line.words == split("--iso=1 --part=3/64 --output=p.part --cap --largest=2"));
   for (const std::string other : {"--vertices 100", "--triangles 100", "--float", "--format stl",
                                   "--ply-ascii", "--json a.json", "--check"}) {
@@ -852,5 +858,15 @@ TEST_CASE("--part is parsed, and options that a part cannot have are refused; pa
   CHECK(join.meshes == std::vector<std::string>{"a.part", "b.part"});
   CHECK(join.input == "v.nrrd");
   CHECK(join.output == "whole.stl");
-  CHECK(join.write.format == MeshFormat::stl);
+  CHECK(join.mesh.write.format == MeshFormat::stl);
+  // It is the run of deliso mesh with the words of both.
+  PartFile part;
+  part.words = split("--iso=1 --cap");
+  const CommandLine whole = line_of_join(join, part);
+  CHECK(whole.words == split("--iso=1 --cap --output=whole.stl --check"));
+  CHECK((whole.mesh.check && whole.options.cap && whole.output == "whole.stl"));
+  for (const OptionSpec& spec : option_table()) {
+    const bool is_own = has_option(Command::join, spec) && spec.name != "--volume";
+    CHECK_MESSAGE((!is_own || has_option(Command::mesh, spec)), spec.name);
+  }
 }

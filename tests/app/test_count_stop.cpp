@@ -32,8 +32,8 @@ CountRun outcome_of(const std::string& arguments) {
   mesh_input(run, progress);
   out.warnings = test::warnings_of(run.notes);
   out.stop = count_stop(run);
-  out.vertices = line.options.cap ? run.report.cap.surface_vertices : run.vertices;
-  out.triangles = line.options.cap ? run.report.cap.surface_triangles : run.triangles;
+  out.vertices = line.options.cap ? run.report.cap.surface_vertices : run.found.vertices;
+  out.triangles = line.options.cap ? run.report.cap.surface_triangles : run.found.triangles;
   out.report = report_text(run);
   return out;
 }

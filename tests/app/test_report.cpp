@@ -121,7 +121,7 @@ std::vector<std::string> lines_of_run(const std::string& arguments,
   for (const auto& [counter, value] : counters) {
     run.report[counter] = static_cast<std::uint64_t>(value);
   }
-  if (close) run.close = *close;
+  if (close) run.found.close = *close;
   std::vector<std::string> lines;
   std::istringstream text(report_text(run));
   for (std::string word; std::getline(text, word);) {
@@ -266,7 +266,7 @@ TEST_CASE(
     ProgressBar progress(mesh_stages(line), false);
     mesh_input(run, progress);
     CHECK(run.sound() == !far);
-    CHECK((run.by_rounding().coincident > 0) == far);
+    CHECK((run.written.by_rounding().coincident > 0) == far);
     CHECK((report_text(run).find("FAULT: double precision makes") != std::string::npos) == far);
     CHECK((report_text(run).find("no crossings") == std::string::npos) == far);
   }

@@ -23,9 +23,9 @@ namespace deliso::stress {
 // the samples are read box by box. Throws InputError.
 inline std::vector<std::string> make_parts(const CommandLine& line, bool by_boxes = false) {
   std::vector<std::string> bytes;
-  for (int n = 1; n <= line.part->of; ++n) {
+  for (int n = 1; n <= line.mesh.part->of; ++n) {
     CommandLine of_part = line;
-    of_part.part->number = n;
+    of_part.mesh.part->number = n;
     VolumeSource source = source_of(read_volume(line.input, reading_of_part(of_part)));
     if (by_boxes) source.in_memory.reset();
     bytes.push_back(part_bytes(make_part(source, of_part, line.input, nullptr)));
@@ -58,9 +58,8 @@ std::unique_ptr<Joined> join_parts(const std::vector<std::string>& bytes, const 
   std::vector<std::string> words{"join", "v.part", "--volume=" + volume,
                                  "-o",   "v.ply",  "--threads=1"};
   words.insert(words.end(), report.begin(), report.end());
-  CommandLine join = test::parse_words(words);
-  join.output.clear();
-  const CommandLine line = line_of_join(join, parts.front());
+  CommandLine line = line_of_join(test::parse_words(words), parts.front());
+  line.output.clear();
   const FieldSource field = field_source(source_of(read_volume(volume, line.read)), line, volume);
   require_field(parts, field, line.options, volume);
   auto joined = std::make_unique<Joined>(line, input_of_join(line, field));

@@ -104,10 +104,10 @@ void mesh_shared(const CommandLine& line, Outcome& outcome) {
   make_reports(run);
   outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   outcome.mesh = united_mesh(run);
-  write_mesh(outcome.mesh, line.shared, united_options(run));
+  write_mesh(outcome.mesh, line.mesh.shared, united_options(run));
   const Frame& frame = source.volume.frame();
   const Box3 box = source.volume.box();
-  outcome.fault = shared_fault(read_shared(line.shared),
+  outcome.fault = shared_fault(read_shared(line.mesh.shared),
                                {frame.to_world(box.lo), frame.to_world(box.hi)}, line.options.cap);
   if (outcome.fault.empty() && !run.sound()) outcome.fault = "not sound";
   outcome.vertices = run.surface_vertices;
@@ -119,16 +119,17 @@ void judge_run(const MeshRun& run, Outcome& outcome) {
   const CommandLine& line = run.line;
   const Volume field = run.input.volume();
   const CapReport& cap = run.report.cap;
-  outcome.fault = run.fault.empty() ? cap.failure : run.fault;
+  outcome.fault = run.found.fault.empty() ? cap.failure : run.found.fault;
   // As published, the mesh is a manifold where no vertex is left without a disk.
   if (run.published.vertices_left > 0) outcome.fault.clear();
   // Check cannot say so: it finds components by their place, and the mesh may be far from Sigma.
   const bool certified = line.certified && run.published.uncertified_sites == 0;
-  if (certified && run.mesh != run.report.exact) outcome.fault = "certified, of another topology";
+  if (certified && run.found.topology != run.report.exact)
+    outcome.fault = "certified, of another topology";
   outcome.capped = line.options.cap;
   outcome.vertices = outcome.capped ? cap.surface_vertices : outcome.mesh.points.size();
   outcome.triangles = outcome.capped ? cap.surface_triangles : outcome.mesh.faces.size();
-  outcome.quality = run.quality;
+  outcome.quality = run.found.quality;
   outcome.voxel = field.voxel();
   outcome.field = field;
   outcome.kappa = run.report.kappa_effective;
@@ -167,7 +168,7 @@ Outcome mesh_once(Words words) {
         std::ranges::any_of(words, [](const auto& word) { return word.starts_with("--part"); });
     const Words of_join = in_parts ? take_report_options(words) : Words();
     const CommandLine line = test::parse_words(words);
-    if (!line.shared.empty()) {
+    if (!line.mesh.shared.empty()) {
       mesh_shared(line, outcome);
     } else if (in_parts) {
       const auto joined = join_parts(make_parts(line), line.input, of_join);

@@ -97,8 +97,8 @@ struct Made {
     mesh = of_run;
     report = run.report;
     is_measured = !run.line.quiet || !run.line.json.empty();
-    counts = run.mesh;
-    close = run.close;
+    counts = run.found.topology;
+    close = run.found.close;
     field = run.input.volume();
   }
 };
