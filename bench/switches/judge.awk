@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Puts a column of instructions into a printed table, behind the time, and into the last column what a
 # switch is judged by where the meshes do not tell: with instructions it pays by one more in a hundred
-# on each volume that they were counted on.
+# in the mean.
 # Usage: awk -v name=SWITCH -v judged='by instructions' -f judge.awk COUNTS PRINTED.md
 #        COUNTS: the base's and the switch's, a line for each volume; may be empty
 
@@ -22,7 +22,7 @@ FILENAME != ARGV[2] && FILENAME != "-" {
   else if (index(cell[2], " " name " ") == 1 && last == " no ") {
     if (judged == "by instructions" && volumes) {
       own = sprintf(" %.3f%s", product ^ (1 / volumes), dearer ? " !" dearer " " : " ")
-      last = dearer == volumes ? " yes " : " no "
+      last = product ^ (1 / volumes) >= 1.01 ? " yes " : " no "
     } else if (judged != "") {
       last = " " judged " "
     }

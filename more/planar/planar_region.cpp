@@ -163,13 +163,9 @@ void RegionRefiner::refine(const Bad& bad) {
       }
     }
   }
-  // Rounding may put p on a segment or side, or at a vertex.
-  const PlaneTriangle& at = triangulation_.triangle(place.t);
-  for (int i = 0; i < 3; ++i) {
-    const bool kept = at.n[i] == kNoId || at.side[i] != Side::none;
-    refused |= triangulation_.point(at.v[i]) == p;
-    refused |= kept && orient2d(triangulation_.point(at.v[(i + 1) % 3]),
-                                triangulation_.point(at.v[(i + 2) % 3]), p) == 0;
+  // Rounding may put p at a vertex. If it is on a segment or side, it is in the circle about it.
+  for (const VertexId v : triangulation_.triangle(place.t).v) {
+    refused |= triangulation_.point(v) == p;
   }
   if (refused) {
     ++refused_;

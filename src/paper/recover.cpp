@@ -235,10 +235,9 @@ bool Recovery::split(SiteId a, const CurveEdge& edge, Facet sigma) {
   ++report_.curve_splits;
   curve_.resize(v + 1);
   curve_[v] = {{a, face}, {b, face}};
+  // Of two edges with the same ends, on two faces, the first was chosen, which is so at both ends.
   const auto join = [&](SiteId end, SiteId other) {
-    std::ranges::find_if(curve_[end], [&](const CurveEdge& e) {
-      return e.to == other && e.face == face;
-    })->to = v;
+    std::ranges::find(curve_[end], other, &CurveEdge::to)->to = v;
   };
   join(a, b);
   join(b, a);

@@ -70,6 +70,7 @@ TEST_CASE("blocks end on their common face alike, at crossings of grid edges") {
       for (VertexId v = 0; v < mesh.mesh.points.size(); ++v) {
         const unsigned faces = box_faces_at(mesh.mesh.points[v], block.box()) & inner;
         CHECK((faces == 0 || mesh.chain.is_boundary(v)));
+        CHECK((t.box_faces[ContourId(v.number())] & inner) == faces);
       }
       for (std::size_t c = 0; c < t.boundary.size(); ++c) {
         const BoundaryLoop& loop = t.boundary.loops[c];

@@ -190,11 +190,15 @@ class RandomMesh {
       }
       default: {
         if (g == kNoId) return;
-        const VertexId d = mesh_.faces[g].v[neighbor_index(mesh_.faces[g], f)];
-        if (a == d || has_edge(a, d)) return;
-        t[f] = {a, b, d};
-        t[g] = {a, d, c};
-        break;
+        const Quad q = quad_at(mesh_, f, i);
+        if (q.a == q.d || has_edge(q.a, q.d)) return;
+        IdArray<VertexId, FaceId> facet(mesh_.points.size(), kNoId);
+        for (FaceId h = 0; h < t.size(); ++h) facet[t[h][0]] = facet[t[h][1]] = facet[t[h][2]] = h;
+        flip(mesh_, facet, q);
+        for (const VertexId v : {q.a, q.b, q.c, q.d}) {
+          facets_are_right_ &= has_corner(mesh_.faces[facet[v]].v, v);
+        }
+        return;
       }
     }
     std::size_t vertices = mesh_.points.size();
@@ -204,6 +208,8 @@ class RandomMesh {
   }
 
   const TriMesh& mesh() const { return mesh_; }
+  // True if every flip left each vertex a facet that has it.
+  bool facets_are_right() const { return facets_are_right_; }
   Random& random() { return random_; }
   Triangles triangles() const { return triangles_of(mesh_); }
   bool has_edge(VertexId a, VertexId b) const {
@@ -219,6 +225,7 @@ class RandomMesh {
  private:
   TriMesh mesh_;
   Random random_;
+  bool facets_are_right_ = true;
 };
 
 // Replaces facet f by three facets around a new vertex at p.

@@ -120,6 +120,7 @@ TEST_CASE(
       for (int i = 0; i < 60; ++i) {
         mesh.change();
         REQUIRE(check_mesh(mesh.mesh()) == "");
+        REQUIRE(mesh.facets_are_right());
         const MeshTopology topology = mesh_topology(mesh.mesh());
         REQUIRE(topology.euler() == start.euler);
         REQUIRE(topology.boundary_loops == start.loops);

@@ -12,19 +12,13 @@
 using namespace deliso;
 using namespace deliso::test;
 
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 TEST_CASE("G1: no edge joins two vertices of a seam in the face between the blocks") {
   const Volume volume = make_builtin_volume("builtin:gyroid:16");
   Index3 end = volume.voxels();
   end.i /= 2;
   const Scene scene(samples_of(volume, {{0, 0, 0}, end}), 0);
   SurfaceMesh s = contour_as_mesh(scene.contour);
-  s.duals.assign(s.mesh.faces.size(), {{}, kInfinity, false});
+  s.duals.assign(s.mesh.faces.size(), {{}, std::numeric_limits<double>::infinity(), false});
   const BoundaryCurves curves(scene.surface,
                               std::make_shared<const BoundaryLoops>(scene.contour.boundary.loops));
   Parameters parameters = resolve({}, volume);
@@ -56,7 +50,7 @@ TEST_CASE("G2: no component of eight facets is reversed") {
   SurfaceMesh s;
   s.mesh = make_tri_mesh({{9, 8, 8}, {7, 8, 8}, {8, 9, 8}, {8, 7, 8}, {8, 8, 9}, {8, 8, 7}},
                          octahedron());
-  s.duals.assign(8, {{}, kInfinity, false});
+  s.duals.assign(8, {{}, std::numeric_limits<double>::infinity(), false});
   Refinement r(s, {scene.surface, curves, parameters, report});
   FaceId f = 0;
   while (!has_corner(s.mesh.faces[f].v, VertexId(4))) ++f;

@@ -74,6 +74,16 @@ TEST_CASE("every point and every segment without an obstacle is there, and the r
       if (!expected) done.push_back(s);
     }
     check_triangulation(t, 2 * 16 * 16);
+    for (int n = 0; n < 20; ++n) {  // segments stay where triangles are split
+      const FaceId f(random.below(static_cast<std::uint32_t>(t.triangles().size())));
+      const auto& [a, b, c] = t.triangle(f).v;
+      const Vec2 p = (1.0 / 3) * (t.point(a) + t.point(b) + t.point(c));
+      if (std::min({orient2d(t.point(a), t.point(b), p), orient2d(t.point(b), t.point(c), p),
+                    orient2d(t.point(c), t.point(a), p)}) > 0) {
+        t.insert_in(f, p);
+      }
+    }
+    check_triangulation(t, 2 * 16 * 16);
     for (const auto& [a, b] : done) {
       const PlaneEdge left = t.find_edge(a, b), right = t.find_edge(b, a);
       REQUIRE((left.t != kNoId || right.t != kNoId));
@@ -91,6 +101,7 @@ TEST_CASE("sides and segments split at a given point stay marked") {
   const VertexId a = t.insert({2, 2}), b = t.insert({6, 2});
   t.insert({3, 7});
   REQUIRE(t.constrain(a, b, Side::inside, Side::outside));
+  t.triangle(t.find_edge(a, b).t).inside = true;
   const VertexId m = t.split_edge(t.find_edge(a, b), {4, 2});
   const VertexId n = t.split_edge(t.find_edge(0, 1), {4, 0});
   check_triangulation(t, 2 * 8 * 8);
@@ -98,6 +109,8 @@ TEST_CASE("sides and segments split at a given point stay marked") {
     const PlaneEdge left = t.find_edge(p, q), right = t.find_edge(q, p);
     REQUIRE(left.t != kNoId);
     CHECK(t.triangle(left.t).side[left.i] == Side::inside);
+    CHECK(t.triangle(left.t).inside);
+    CHECK_FALSE(t.triangle(right.t).inside);
     CHECK(t.triangle(right.t).side[right.i] == Side::outside);
   }
   CHECK(t.find_edge(0, n).t != kNoId);
