@@ -248,13 +248,6 @@ void Recovery::add_site(const Vec3& p) {
   const SiteId v = del_.insert(p);
   ++(poles_.empty() ? report_.insertions_recover : report_.insertions_refine);
   for (const SiteId q : del_.touched()) queue(q);
-  if (options_.facet_cycles) {
-    for (const CellId c : del_.new_cells()) {
-      for (const SiteId q : del_.del().vertices(c)) {
-        if (q != Triangulation::kInfinite) queue(q);
-      }
-    }
-  }
   for (const Facet f : del_.created()) queue(f);
   if (!poles_.empty()) {
     // The mean pole height of the vertices adjacent in Del S|Sigma (§3.2).

@@ -45,8 +45,6 @@ class RestrictedDelaunay {
   // made; and the corners of those that came or went, some of them several times.
   std::span<const Facet> created() const { return created_; }
   std::span<const SiteId> touched() const { return touched_; }
-  // Returns the cells that the last insertion made.
-  std::span<const CellId> new_cells() const { return new_cells_; }
 
  private:
   struct Hits {

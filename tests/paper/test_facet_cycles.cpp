@@ -70,6 +70,35 @@ TEST_CASE("points below regions: every component has one, on the surface") {
   }
 }
 
+TEST_CASE(
+    "points below regions: a cavity has one, where no line through the lowest sample meets it") {
+  const Vec3 ball{6, 6, 6}, cavity{8, 6, 6};
+  const auto field = [&](int i, int j, int k) {
+    const Vec3 p{1. * i, 1. * j, 1. * k};
+    return std::min(4.4 - distance(p, ball), distance(p, cavity) - 1.4);
+  };
+  Program program({sampled<float>({13, 13, 13}, {1, 1, 1}, field), 0.01}, few_vertices());
+  CHECK(std::ranges::any_of(paper::points_below_regions(program.sigma),
+                            [&](const Vec3& p) { return distance(p, cavity) < 1.6; }));
+}
+
+TEST_CASE("Recover leaves no facet cycle") {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    CAPTURE(seed);
+    Options options = few_vertices();
+    options.facet_cycles = true;
+    options.lines = 10;
+    Program program(field_of(some_balls(seed)), options);
+    program.recovery.recover();
+    SearchCounters counters;
+    for (SiteId q = 1; q < program.del().del().vertex_capacity(); ++q) {
+      if (program.del().is_auxiliary(q)) continue;
+      const double least = options.closest() * program.report.r_min;
+      CHECK_FALSE(paper::facet_cycle(program.del(), q, least, counters));
+    }
+  }
+}
+
 TEST_CASE("a facet cycle: a point of the surface, in a Voronoi facet whose edges do not meet it") {
   std::size_t found = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
@@ -102,6 +131,32 @@ TEST_CASE("a facet cycle: a point of the surface, in a Voronoi facet whose edges
     }
   }
   CHECK(found > 20);
+}
+
+TEST_CASE("a vertex whose D_q is empty gets company: what the sample meets is in the mesh") {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    CAPTURE(seed);
+    const std::vector<Ball> balls = some_balls(seed);
+    Options options = few_vertices();
+    options.lines = 10;
+    options.seed = seed;
+    options.stop_after_recover = true;
+    Program program(field_of(balls), options);
+    const Triangulation& t = program.del().del();
+    std::size_t met = 0;
+    for (const Ball& b : balls) {
+      for (SiteId q = 1; q < t.vertex_capacity(); ++q) {
+        if (distance(t.point(q), b.center) > b.radius + 0.7) continue;
+        ++met;
+        break;
+      }
+    }
+    REQUIRE(met > 1);
+    paper::Report report;
+    const TriMesh mesh = run(field_of(balls), options, report);
+    CHECK(mesh_topology(mesh).components.size() >= met);
+    CHECK(report.vertices_alone == 0);
+  }
 }
 
 TEST_CASE("with facet cycles all balls are found, however few lines there are") {
