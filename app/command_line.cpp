@@ -302,16 +302,17 @@ constexpr Exclusion kExclusions[] = {
     {"--float", "--double", ""},
     {"--vertices", "--triangles --max-distance --stop-after --max-vertices", ""},
     {"--triangles", "--max-distance --stop-after --max-vertices", ""},
-    {"--certified", "--keep-hits --single-stage", ": its sites are no points of Voronoi edges"},
+    {"--certified", "--keep-hits --facet-cycles --single-stage",
+     ": its sites are no points of Voronoi edges"},
     {"--shared", "--check --attributes --largest --min-component", ""},
     {"--part", "--vertices --triangles", ""},
     {"--part", "--float --double --ply-ascii --format --attributes --check --json",
      ": give it to deliso join"}};
 
 // The options that the published program alone has, and those that it has not.
-constexpr std::string_view kOnlyPaper[] = {"--certified",    "--eps",   "--eps2",
-                                           "--lines",        "--seed",  "--keep-hits",
-                                           "--single-stage", "--solver"};
+constexpr std::string_view kOnlyPaper[] = {"--facet-cycles", "--certified",    "--eps",
+                                           "--eps2",         "--lines",        "--seed",
+                                           "--keep-hits",    "--single-stage", "--solver"};
 constexpr std::string_view kNeverPaper[] = {
     "--vertices", "--triangles",  "--max-distance", "--max-radius", "--min-component",
     "--largest",  "--block-side", "--cap",          "--part",       "--shared"};

@@ -241,6 +241,10 @@ constexpr OptionSpec kRest[] = {
     {"--keep-hits", 0, "", kMeshAndTrace,
      "with --paper: Recover searches only facets at the new vertex, not every new facet",
      [](Line& l, Text, Text) { l.published.keep_hits = true; }},
+    {"--facet-cycles", 0, "", kMeshAndTrace,
+     "with --paper: Recover begins with a point below each region of samples, and also tests "
+     "Voronoi facets that the surface meets in closed curves",
+     [](Line& l, Text, Text) { l.published.facet_cycles = true; }},
     {"--min-component", 0, "N", kAllMeshing,
      "leave out components shorter than N voxels in x, in y and in z (default 0); with --cap "
      "dissolve the bodies and cavities that they bound",

@@ -91,6 +91,7 @@ void add_published(ReportWriter& out, const CommandLine& line, const paper::Repo
   out.add("seed", options.seed, "of what is random");
   out.add_choice("solver", static_cast<std::size_t>(options.solver), solvers, "of cubics");
   out.add("keep_hits", options.keep_hits, "only facets at a new vertex are searched");
+  out.add("facet_cycles", options.facet_cycles, "Voronoi facets are tested, too");
   out.add("single_stage", options.single_stage, "all refinement in three dimensions");
   out.add("contour_vertices", report.contour_vertices,
           "of the exact contour, whose vertices the certified sites are");

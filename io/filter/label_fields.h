@@ -52,9 +52,6 @@ class LabelFields {
   Volume field(std::int64_t label);
   // Returns w_L s_L in float32, as a block of the volume in the same box: it is 0 beyond.
   Volume weighted(std::int64_t label);
-  SampleExtent extent_of_field(std::int64_t label) const {
-    return box(labels_[index_of(label)], 1);
-  }
 
  private:
   struct Rivals;

@@ -45,15 +45,6 @@ inline bool Disk::link_edges() {
   return true;
 }
 
-inline bool Disk::has_one_boundary() const {
-  std::size_t length = 0;
-  const std::uint32_t first = 3 * boundary[0].facet + static_cast<std::uint32_t>(boundary[0].side);
-  for (std::uint32_t e = first; e != kNone && (e != first || length == 0); ++length) {
-    e = leaves_[ends_[e].to];
-  }
-  return length == boundary.size();
-}
-
 inline bool Disk::is_one_piece() {
   reached_.assign(1, 0);
   is_reached_.assign(facets.size(), 0);
@@ -71,9 +62,11 @@ inline bool Disk::is_one_piece() {
 bool Disk::link() {
   number_corners();
   if (!link_edges()) return false;
-  // A closed piece besides the disk could make up for a handle: the facets must be one piece.
+  // A surface in one piece with b boundaries has an Euler number of at most 2 - b, and the less, the
+  // more vertices it meets itself in. So that of a disk, 1, leaves one boundary. A closed piece
+  // besides the disk could make up for a handle: the facets must be one piece.
   const bool is_euler_of_disk = 2 * corners_.size() == facets.size() + boundary.size() + 2;
-  return boundary.size() >= 3 && is_euler_of_disk && has_one_boundary() && is_one_piece();
+  return boundary.size() >= 3 && is_euler_of_disk && is_one_piece();
 }
 
 bool Disk::link_cone(const std::vector<BoundaryEdge>& rim, VertexId apex) {

@@ -41,7 +41,6 @@ struct Disk {
   // False if an edge has two facets on one side, or the boundary meets itself.
   void number_corners();
   bool link_edges();
-  bool has_one_boundary() const;  // one cycle
   bool is_one_piece();
 
   std::vector<VertexId> corners_;

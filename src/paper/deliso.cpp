@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "paper/deliso.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
 #include "base/check.h"
 #include "base/random.h"
 #include "paper/poles.h"
+#include "paper/facet_cycles.h"
 
 namespace deliso::paper {
 
@@ -27,6 +30,8 @@ Recovery init_triangulation(Sigma& sigma, const Options& options, Report& report
       sample.push_back(x.point);
     }
   }
+  if (options.facet_cycles)
+    std::ranges::copy(points_below_regions(sigma), std::back_inserter(sample));
   report.points_on_curves = curves.points.size();
   report.points_on_lines = sample.size() - curves.points.size();
   append_auxiliary(box, sample);

@@ -9,6 +9,7 @@
 #include "base/check.h"
 #include "isosurface/boundary_midpoint.h"
 #include "mesh/star.h"
+#include "paper/facet_cycles.h"
 
 namespace deliso::paper {
 namespace {
@@ -98,7 +99,11 @@ void Recovery::extract_manifold() {
     const SiteId q = vertices_.front();
     vertices_.pop_front();
     is_queued_[q] = 0;
-    if (is_disk(q) || star_.empty()) continue;
+    const bool is_good = is_disk(q);
+    if (is_good || star_.empty()) {
+      insert_without_hit(q);
+      continue;
+    }
     const Vec3& at = del_.del().point(q);
     const Facet sigma = *std::ranges::max_element(
         star_, {}, [&](Facet f) { return distance2(furthest(del_.hits(f), at).point, at); });
@@ -109,6 +114,43 @@ void Recovery::extract_manifold() {
     }
     if (insert(sigma, p)) queue(q);
   }
+}
+
+void Recovery::insert_without_hit(SiteId q) {
+  if (del_.is_auxiliary(q)) return;
+  std::optional<Vec3> x;
+  if (star_.empty()) x = point_beside(q);
+  if (!x && options_.facet_cycles) {
+    x = facet_cycle(del_, q, options_.closest() * report_.r_min, report_.searches_recover);
+  }
+  if (x && insert({del_.del().incident_cell(q), 0}, *x)) queue(q);
+}
+
+std::optional<Vec3> Recovery::point_beside(SiteId q) {
+  const Triangulation& t = del_.del();
+  const Vec3& at = t.point(q);
+  const Volume& volume = del_.sigma().volume();
+  const Vec3 g = volume.gradient(at);
+  const double reach = length(volume.box().size()), least = options_.closest() * report_.r_min;
+  for (const Vec3& along : {length(g) > 0 ? g / length(g) : Vec3{1, 0, 0}, Vec3{1, 0, 0},
+                            Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+    std::optional<Vec3> x;
+    for (const Hit& hit : del_.sigma().intersect({at - reach * along, at + reach * along},
+                                                 report_.searches_recover)) {
+      const double far = distance(hit.point, at);
+      if (far > least && (!x || far < distance(*x, at))) x = hit.point;
+    }
+    if (!x) continue;
+    // The site nearest to x is a vertex of its zone.
+    const ConflictZone& zone = del_.find_conflicts(*x, t.incident_cell(q));
+    const bool is_in_v_q = std::ranges::none_of(zone.cells, [&](CellId c) {
+      return std::ranges::any_of(t.vertices(c), [&](SiteId v) {
+        return v != Triangulation::kInfinite && distance2(t.point(v), *x) < distance2(at, *x);
+      });
+    });
+    if (zone.duplicate == kNoId && is_in_v_q) return x;
+  }
+  return {};
 }
 
 bool Recovery::is_disk(SiteId q) {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "paper/boundary_curves.h"
@@ -59,6 +60,11 @@ class Recovery {
   // Inserts x, a hit of sigma, or splits the curve's edge that x encroaches upon. False: neither.
   bool insert(Facet sigma, const Vec3& x);
   bool split(SiteId a, const CurveEdge& edge, Facet sigma);
+  // D_q is empty, or a disk. Inserts a point beside q, or of a facet cycle, if there is one.
+  void insert_without_hit(SiteId q);
+  // D_q is empty. Returns the point of Sigma in V_q that is nearest to q on a line through q: along
+  // the gradient, else the axes. It is far enough from all sites that this ends.
+  std::optional<Vec3> point_beside(SiteId q);
   // Inserts p into Del S, and queues what that changed.
   void add_site(const Vec3& p);
   bool refuse(Refusal why);

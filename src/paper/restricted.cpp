@@ -33,7 +33,7 @@ void RestrictedDelaunay::search(Facet f) {
   auto& [x, has_cancelled] = hits_[slot(f)];
   for (const Hit& hit :
        sigma_.intersect({edge.at(t.lo), edge.at(t.hi)}, report_.searches_recover)) {
-    if (!x.empty() && distance(x.back().point, hit.point) < report_.r_min) {
+    if (!x.empty() && distance(x.back().point, hit.point) < options_.closest() * report_.r_min) {
       x.pop_back();
       has_cancelled = true;
       ++report_.cancelled_pairs;
@@ -55,8 +55,7 @@ void RestrictedDelaunay::add_touched(Facet f) {
   touched_.insert(touched_.end(), v.begin(), v.end());
 }
 
-void RestrictedDelaunay::star(SiteId q, std::vector<Facet>& d_q) const {
-  d_q.clear();
+std::span<const CellId> RestrictedDelaunay::cells_at(SiteId q) const {
   seen_.resize(del_.cell_capacity(), 0);
   around_.assign(1, del_.incident_cell(q));
   seen_[around_[0]] = ++round_;
@@ -69,7 +68,17 @@ void RestrictedDelaunay::star(SiteId q, std::vector<Facet>& d_q) const {
         seen_[d] = round_;
         around_.push_back(d);
       }
-      if (c < d && !hits({c, i}).empty()) d_q.push_back({c, i});
+    }
+  }
+  return around_;
+}
+
+void RestrictedDelaunay::star(SiteId q, std::vector<Facet>& d_q) const {
+  d_q.clear();
+  for (const CellId c : cells_at(q)) {
+    for (int i = 0; i < 4; ++i) {
+      if (del_.vertex(c, i) == q || !(c < del_.neighbor(c, i))) continue;
+      if (!hits({c, i}).empty()) d_q.push_back({c, i});
     }
   }
 }

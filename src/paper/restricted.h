@@ -28,10 +28,12 @@ class RestrictedDelaunay {
   RestrictedDelaunay(Triangulation del, Sigma& sigma, const Options& options, Report& report);
 
   const Triangulation& del() const { return del_; }
-  const Sigma& sigma() const { return sigma_; }
+  Sigma& sigma() const { return sigma_; }
   bool is_auxiliary(SiteId q) const { return deliso::is_auxiliary(del_.point(q), box_); }
   // Returns V_sigma cap Sigma, in order along the dual line of facet_dual().
   std::span<const Hit> hits(Facet sigma) const { return hits_[slot(sigma)].x; }
+  // Returns the cells at q. Valid until the next call, or star().
+  std::span<const CellId> cells_at(SiteId q) const;
   // Sets `d_q` to D_q: the facets of Del S|Sigma at q.
   void star(SiteId q, std::vector<Facet>& d_q) const;
 
@@ -67,7 +69,7 @@ class RestrictedDelaunay {
   std::vector<Facet> created_;
   std::vector<SiteId> touched_;
   mutable std::vector<CellId> around_;
-  mutable std::vector<std::uint32_t> seen_;  // by cell: the last star() that saw it
+  mutable std::vector<std::uint32_t> seen_;  // by cell: the last cells_at() that saw it
   mutable std::uint32_t round_ = 0;
 };
 

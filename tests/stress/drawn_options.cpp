@@ -133,6 +133,8 @@ constexpr DrawnOption kDrawn[] = {
     {"--seed", [](Random& r, auto&) { return of_paper(text("--seed=", r.below(1000))); }, kPapers},
     {"--keep-hits", [](Random&, auto&) { return of_paper("--keep-hits"); },
      kPapers | kNotCertified},
+    {"--facet-cycles", [](Random&, auto&) { return of_paper("--facet-cycles"); },
+     kPapers | kNotCertified},
     {"--single-stage", [](Random&, auto&) { return of_paper("--single-stage"); },
      kPapers | kNotCertified},
     {"--solver", [](Random&, auto&) { return of_paper("--solver=isolation"); }, kPapers},
