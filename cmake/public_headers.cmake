@@ -1,5 +1,5 @@
 # Copies the library's headers to where other projects see them: all under one name, deliso/, and
-# behind it as the sources name them (deliso/mesh/tri_mesh.h of src/, deliso/mesh_isosurface.h,
+# behind it as the sources name them (deliso/mesh/tri_mesh.h of src/, deliso/mesh_isosurface.h of deliso/,
 # deliso/io/mesh/write_mesh.h, deliso/c/deliso.h), with the includes among them to match.
 function(deliso_public_headers project generated destination)
   set(source ${project}/src)
@@ -15,6 +15,7 @@ function(deliso_public_headers project generated destination)
     foreach(root ${source} ${generated} ${project})
       string(REPLACE "${root}/" "" name ${name})
     endforeach()
+    string(REGEX REPLACE "^deliso/" "" name ${name})
     set(old "")
     if(EXISTS ${destination}/deliso/${name})
       file(READ ${destination}/deliso/${name} old)

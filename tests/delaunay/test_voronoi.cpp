@@ -153,6 +153,25 @@ TEST_CASE("facet lines, their ends and circumspheres agree with exact solutions"
   CHECK(flat > test::cases(1000));
 }
 
+// Rows of a matrix of determinant 1 whose entries have up to 50 bits: double-doubles lose all
+// digits of it.
+TEST_CASE("of the flattest cells, too, ends are on the right side of the facet and no NaN") {
+  for (int trial = 0; trial < 2000; ++trial) {
+    CAPTURE(trial);
+    Random random(trial);
+    std::array<Vec3, 3> rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+    while (std::max({length(rows[0]), length(rows[1]), length(rows[2])}) < 0x1p49) {
+      const std::uint32_t n = random.below(3), m = (n + 1 + random.below(2)) % 3;
+      rows[n] = rows[n] + (random.below(2) == 0 ? 1.0 : -1.0) * rows[m];
+    }
+    const Exact exact({}, rows[0], rows[1], rows[2]);
+    const FacetLine line = facet_line({}, rows[0], rows[1]);
+    const double t = equidistant_parameter({}, rows[0], rows[1], rows[2], line);
+    REQUIRE((t > 0) == (exact.parameter() > 0));
+    REQUIRE(!std::isnan(circumsphere({}, rows[0], rows[1], rows[2]).radius));
+  }
+}
+
 TEST_CASE("facet_dual is the same from both cells, with ends at circumcenters or infinity") {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (int trial = 0; trial < 10 * static_cast<int>(oracle::PointSet::kCount); ++trial) {

@@ -168,6 +168,28 @@ TEST_CASE("collect_voxels finds exactly the active voxels on the segment, in ord
   CHECK(total > 20'000);
 }
 
+// The oracle above has its pieces from the line itself.
+TEST_CASE("a line in a plane of samples is in the voxels above it, in the box's far side below") {
+  const Index3 voxels{3, 4, 5};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int plane = 0; plane <= voxels[axis]; ++plane) {
+      Vec3 from{0.3, 0.4, 0.2}, direction{2.5, 3.1, 4.4};
+      from[axis] = plane;
+      direction[axis] = 0;
+      const LatticeLine line(from, direction, voxels);
+      Range passed{1, 0};
+      for_each_index(voxels, [&](int i, int j, int k) {
+        const VoxelSpan span = line.span({i, j, k}, {0, 1});
+        if (span.empty()) return;
+        REQUIRE(span.voxel[axis] == std::min(plane, voxels[axis] - 1));
+        passed = {std::min(passed.lo, span.t0), std::max(passed.hi, span.t1)};
+      });
+      CHECK(passed.lo == 0);
+      CHECK(passed.hi == 1);
+    }
+  }
+}
+
 // Without any pruning the voxels are the same; only the time is not.
 TEST_CASE("a search opens only nodes that the line passes and whose samples straddle kappa") {
   std::size_t opened = 0;

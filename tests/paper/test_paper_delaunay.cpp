@@ -134,6 +134,29 @@ TEST_CASE("pairs of hits nearer than r_min cancel each other, and are counted") 
   CHECK(left + 2 * fewer.report.cancelled_pairs == hits);
 }
 
+TEST_CASE("hits behind the second may cancel, too") {
+  // Three sheets, the last two of which are near each other, and sites on the first.
+  Random random(1);
+  paper::Options options = few_vertices();
+  options.r_min = 0.2;
+  const auto level = [&](int, int, int k) {
+    return (k < 3 || k == 5 ? 1 : -1) * random.uniform(1, 1.2);
+  };
+  Program program({sampled<float>({8, 8, 8}, {1, 1, 1}, level), 0}, options);
+  std::vector<Vec3> points;
+  for (int n = 0; n < 12; ++n) {
+    points.push_back({random.uniform(0, 7), random.uniform(0, 7), random.uniform(2.4, 2.6)});
+  }
+  append_auxiliary(program.volume.box(), points);
+  Triangulation t;
+  std::vector<SiteId> ids;
+  REQUIRE(t.build(points, ids));
+  program.report.cancelled_pairs = 0;
+  const RestrictedDelaunay del(std::move(t), program.sigma, program.options, program.report);
+  CHECK(program.report.cancelled_pairs > 0);
+  CHECK(same_hits(stored_hits(del), searched_hits(del, program.report.r_min)));
+}
+
 TEST_CASE("star() is D_q, and the measures are those of the triangle") {
   Program program(builtin("torus", 24), few_vertices());
   program.recovery.multi_intersect();

@@ -276,6 +276,38 @@ TEST_CASE("of several hits a facet keeps that nearest to its circumcenter") {
   CHECK(met_twice > 10);
 }
 
+TEST_CASE("a facet of several hits is turned as most of its neighbors, which have one") {
+  std::size_t checked = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    paper::Options options = few_vertices();
+    options.lines = 10;
+    const Program program(noise(seed, 6), options);
+    const TriMesh mesh = paper::build_tri_mesh(program.del(), {}).mesh;
+    std::vector<std::uint8_t> several;  // by facet
+    for_each_finite_facet(program.del().del(), [&](Facet f) {
+      const std::size_t hits = program.del().hits(f).size();
+      if (hits > 0) several.push_back(hits > 1);
+    });
+    REQUIRE(several.size() == mesh.faces.size());
+    std::vector<int> against(several.size(), 0), beside_several(several.size(), 0);
+    for_each_edge(edge_uses(mesh.points.size(), mesh.triangles()),
+                  [&](std::span<const EdgeUse> edge) {
+                    if (edge.size() != 2) return true;
+                    for (std::size_t n = 0; n < 2; ++n) {
+                      against[edge[n].triangle] += edge[0].forward == edge[1].forward;
+                      beside_several[edge[n].triangle] += several[edge[1 - n].triangle];
+                    }
+                    return true;
+                  });
+    for (std::size_t f = 0; f < several.size(); ++f) {
+      if (several[f] == 0 || beside_several[f] > 0) continue;
+      CHECK(against[f] < 2);
+      ++checked;
+    }
+  }
+  CHECK(checked > 5);
+}
+
 TEST_CASE("RefineGeom: E by a walk, D the cone, until no facet violates a criterion") {
   struct Case {
     std::string name;
