@@ -62,8 +62,8 @@ inline bool Disk::is_one_piece() {
 bool Disk::link() {
   number_corners();
   if (!link_edges()) return false;
-  // A surface in one piece with b boundaries has an Euler number of at most 2 - b, and the less, the
-  // more vertices it meets itself in. So that of a disk, 1, leaves one boundary. A closed piece
+  // A surface in one piece with b boundaries has an Euler number of at most 2 - b, and the less,
+  // the more vertices it meets itself in. So that of a disk, 1, leaves one boundary. A closed piece
   // besides the disk could make up for a handle: the facets must be one piece.
   const bool is_euler_of_disk = 2 * corners_.size() == facets.size() + boundary.size() + 2;
   return boundary.size() >= 3 && is_euler_of_disk && is_one_piece();

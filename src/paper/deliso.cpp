@@ -8,8 +8,8 @@
 
 #include "base/check.h"
 #include "base/random.h"
-#include "paper/poles.h"
 #include "paper/facet_cycles.h"
+#include "paper/poles.h"
 
 namespace deliso::paper {
 

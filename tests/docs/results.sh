@@ -89,10 +89,12 @@ else
     told "$components" 'Table 5' "$name" components
     told "$euler" 'Table 5' "$name" 'Euler number'
     told_switch "$name" published components
+    run "$DELISO_DATA/$file" "$isovalue" "$lines" --stop-after stage1 --facet-cycles
+    told_switch "$name" 'facet cycles' 'components 2'
     run "$DELISO_DATA/$file" "$isovalue" "$lines" --stop-after stage1 --certified
-    told_switch "$name" certified 'components 2'
+    told_switch "$name" certified 'components 3'
     run "$DELISO_DATA/$file" "$isovalue" "$lines" --stop-after stage1 --certified --eps 0.2
-    told_switch "$name" 'certified, eps' 'components 3'
+    told_switch "$name" 'certified, eps' 'components 4'
   done <"$work/volumes"
 fi
 echo "$seen compared"
