@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "base/triangle.h"
 #include "base/vec2.h"
 #include "check/check_mesh.h"
 #include "check/place_faults.h"
@@ -29,6 +30,7 @@ struct Solid {
   TriMesh mesh;
   Report report;
   std::size_t crossings = 0;
+  double lambda = 0;  // the bound on r/l
 };
 
 // `make`: mesh_isosurface(), or a substitute.
@@ -37,6 +39,7 @@ inline Solid solid_of(const Volume& volume, double kappa, Options options = {},
                                       Report&) = mesh_isosurface) {
   Solid solid;
   options.cap = true;
+  solid.lambda = options.limits[Criterion::r_over_l].value;
   solid.mesh = make(volume, kappa, options, solid.report);
   if (solid.report.cap.failure.empty()) {
     solid.crossings = find_place_faults(solid.mesh.points, solid.mesh.triangles()).crossings;
@@ -61,7 +64,7 @@ inline std::size_t crossing_pairs(const TriMesh& mesh) {
 }
 
 // Checks that the mesh is closed, manifold and oriented. Caps lie on the box and face out of it;
-// the surface lies nowhere flat on it.
+// the surface lies nowhere flat on it. Caps over the bound on r/l are counted.
 inline void check_solid(const Solid& solid, const Box3& box) {
   CHECK(solid.report.cap.failure == "");
   CHECK(check_mesh(solid.mesh) == "");
@@ -69,6 +72,7 @@ inline void check_solid(const Solid& solid, const Box3& box) {
   CHECK(enclosed_volume(solid.mesh) > 0);
   CHECK(crossing_pairs(solid.mesh) == solid.crossings);
   int unparted = 0, turned = 0;
+  std::size_t over = 0;
   for (FaceId f = 0; f < solid.mesh.faces.size(); ++f) {
     const Face& face = solid.mesh.faces[f];
     const int on = face_of(solid.mesh, face, box);
@@ -79,10 +83,14 @@ inline void check_solid(const Solid& solid, const Box3& box) {
       const Vec3& p = solid.mesh.points[face.v[i]];
       return Vec2{p[u], p[v]};
     };
+    const auto corner = [&](int i) { return solid.mesh.points[face.v[i]]; };
+    over +=
+        radius_ratio2(corner(0), corner(1), corner(2)) > (1 + 1e-6) * solid.lambda * solid.lambda;
     turned += orient2d(drop(0), drop(1), drop(2)) != (on % 2 == 0 ? -1 : 1);
   }
   CHECK(unparted == 0);
   CHECK(turned == 0);
+  CHECK(over <= solid.report[Counter::cap_refused]);
 }
 
 // Returns how many samples on the box are inside and not on a cap, or the reverse. Samples within
