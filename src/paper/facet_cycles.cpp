@@ -113,7 +113,8 @@ std::optional<Vec3> facet_cycle(const RestrictedDelaunay& del, SiteId q, double 
     }
   }
   std::ranges::sort(neighbors);
-  const auto [end, _] = std::ranges::unique(neighbors, {}, &std::pair<SiteId, CellId>::first);
+  const auto end = std::unique(neighbors.begin(), neighbors.end(),
+                               [](const auto& a, const auto& b) { return a.first == b.first; });
   const Vec3& at = t.point(q);
   const Volume& volume = del.sigma().volume();
   std::optional<Vec3> furthest;

@@ -81,7 +81,7 @@ FacetPlaces places_of(const TriMesh& mesh, FaceId f) {
   FacetPlaces places;
   std::ranges::transform(mesh.faces[f].v, places.begin(),
                          [&](VertexId v) { return by_place(mesh.points[v]); });
-  std::ranges::rotate(places, std::ranges::min_element(places));
+  std::rotate(places.begin(), std::ranges::min_element(places), places.end());
   return places;
 }
 
