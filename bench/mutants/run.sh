@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: MIT
 # Do the tests of a primitive find a wrong one? Each patch here is a mutant: one wrong line of the code. Its
 # head says what is wrong, whose tests must find it ("Tests: ROOM", a folder of tests/), and, where that cannot be, why
-# ("Equivalent:", no test can; "Waits:", not yet). A mutant is made in a copy of src/ and more/: its room is
-# compiled as one file and linked before the library, so that nothing else is built again.
-# Prints a line per mutant. Exit status 1: one survived, is no longer equivalent or no longer waits.
+# ("Equivalent:", no test can; "Waits:", not yet). Switches that tests
+# judge (bench/switches) are mutants, too. A mutant is made in a copy of the sources: each room that it changes
+# is compiled as one file and linked before the library, so that nothing else is built again; for a
+# header, the room of its tests and the tests, too.
+# Prints a line per mutant, with the test case that caught it. Exit status 1: one survived, is no longer equivalent or no longer waits.
 # Usage: run.sh --check                 all patches apply, and their heads are right
 #        run.sh BUILD [JOBS] [ROOM...]  BUILD has the library (make mutants ROOM=...)
 set -eu
@@ -12,7 +14,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 source=$(cd "$here/../.." && pwd)
 
 . "$here/../patches.sh"
-mutants_of() { grep -lx "Tests: $1" "$here"/*.patch | sed 's|.*/||; s|\.patch$||'; }
+mutants_of() { (cd "$here" && grep -lx "Tests: $1" *.patch ../switches/*.patch) | sed 's|\.patch$||'; }
 
 if [ "$1" = --check ]; then
   wrong=0
@@ -66,7 +68,8 @@ fi
 
 # One mutant of a room: exit status 1 unless its outcome is that of its head.
 name=$2 room=$3
-at=$work/$room/$name
+label=${name##*/}
+at=$work/$room/$label
 mkdir "$at"
 for folder in src more deliso check io; do cp -r "$source/$folder" "$at"; done
 apply "$name" "$at"
@@ -119,6 +122,6 @@ else
   outcome="not compiled: $(head -n 1 "$at/log")"
 fi
 rm -rf "$at"
-printf '%-10s %-11s %s\n' "$name" "$room" "$outcome"
-echo "$outcome ($name)" >"$work/outcomes/$name"
+printf '%-10s %-11s %s\n' "$label" "$room" "$outcome"
+echo "$outcome ($label)" >"$work/outcomes/$label"
 case $outcome in caught* | equivalent | waits) ;; *) exit 1 ;; esac
