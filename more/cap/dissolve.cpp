@@ -9,19 +9,10 @@
 #include "base/check.h"
 #include "base/disjoint_sets.h"
 #include "contour/contour_stream.h"
+#include "volume/sample_regions.h"
 
 namespace deliso {
 namespace {
-
-template <class Visit>
-void for_each_sample(Index3 dims, Visit&& visit) {
-  Index3 p;
-  for (p.k = 0; p.k < dims.k; ++p.k) {
-    for (p.j = 0; p.j < dims.j; ++p.j) {
-      for (p.i = 0; p.i < dims.i; ++p.i) visit(p);
-    }
-  }
-}
 
 // Unites the samples at a component's crossings, those on either side: one side of a component
 // belongs to one region, even where no grid edge runs along it.
@@ -36,8 +27,7 @@ class SidesOfComponents final : public ContourSink {
       if (p.label[l] >= sides.size()) sides.resize(p.label[l] + 1, {kNoId, kNoId});
       for (const std::uint8_t e : p.loops.edges(l)) {
         for (const int m : corners_of_edge(e)) {
-          const Index3 at = corner_of(p.voxel, m);
-          const auto sample = static_cast<std::uint32_t>(volume_.index(at.i, at.j, at.k));
+          const std::uint32_t sample = number_of(volume_, corner_of(p.voxel, m));
           std::uint32_t& side = sides[p.label[l]][p.corners[m] >= 0];
           if (side == kNoId) side = sample;
           samples_.unite(side, sample);
@@ -74,21 +64,10 @@ struct Region {
 
 Dissolved dissolve_others(const Volume& volume, double kappa, const ComponentChoice& choice) {
   const Index3 dims = volume.dims();
-  const auto number = [&](Index3 p) {
-    return static_cast<std::uint32_t>(volume.index(p.i, p.j, p.k));
-  };
-  const auto is_inside = [&](Index3 p) { return volume.sample(p.i, p.j, p.k) >= kappa; };
-
   if (volume.sample_count() >= kNoId) {
     throw InputError("--min-component and --largest with --cap are for less than 2^32 samples");
   }
-  DisjointSets joined(volume.sample_count());
-  for_each_sample(dims, [&](Index3 p) {
-    for (int axis = 0; axis < 3; ++axis) {
-      Index3 q = p;
-      if (--q[axis] >= 0 && is_inside(p) == is_inside(q)) joined.unite(number(q), number(p));
-    }
-  });
+  DisjointSets joined = regions_of_samples(volume, kappa);
   SidesOfComponents walk(volume, joined);
   WalkResult found = walk_contour(volume, kappa, walk);
   ContourSummary summary;
@@ -97,9 +76,9 @@ Dissolved dissolve_others(const Volume& volume, double kappa, const ComponentCho
   const std::vector<std::uint32_t> region_of = joined.take_numbers();
   std::vector<Region> regions(1 + *std::max_element(region_of.begin(), region_of.end()));
   for_each_sample(dims, [&](Index3 p) {
-    Region& region = regions[region_of[number(p)]];
+    Region& region = regions[region_of[number_of(volume, p)]];
     region.add({1, p, p});
-    region.inside = is_inside(p);
+    region.inside = is_inside(volume, p, kappa);
   });
   std::vector<std::array<std::uint32_t, 2>> sides(summary.components.size());
   for (std::size_t label = 0; label < walk.sides.size(); ++label) {
@@ -143,7 +122,7 @@ Dissolved dissolve_others(const Volume& volume, double kappa, const ComponentCho
   for (unsigned m = 0; m < 8; ++m) {
     Index3 p;
     for (int axis = 0; axis < 3; ++axis) p[axis] = (m >> axis & 1) != 0 ? dims[axis] - 1 : 0;
-    result.corner_inside[m] = regions[current(region_of[number(p)])].inside;
+    result.corner_inside[m] = regions[current(region_of[number_of(volume, p)])].inside;
   }
   return result;
 }

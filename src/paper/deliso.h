@@ -2,8 +2,9 @@
 // DelIso(f, kappa) of paper Figure 4, as published: a thin driver of the primitives in delaunay,
 // mesh, volume, kdtree and roots. The exact program, blocks/block.h, has nothing of it.
 //
-// Its tests miss pieces of Sigma: a component that no line of InitTriangulation meets, one within
-// the Voronoi cells of others. They are lost, and the mesh is sound without them.
+// Its tests miss pieces of Sigma: a component that no line of InitTriangulation meets, a neck that
+// no Voronoi edge meets. They are lost, and the mesh is sound without them. Options::facet_cycles
+// asks for more.
 #pragma once
 
 #include <functional>

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "base/disjoint_sets.h"
+#include "base/check.h"
 #include "delaunay/voronoi.h"
+#include "volume/sample_regions.h"
 
 namespace deliso::paper {
 namespace {
@@ -64,30 +65,14 @@ void for_each_cut(const std::vector<Vec3>& corners, const Volume& volume, int ax
 
 std::vector<Vec3> points_below_regions(Sigma& sigma) {
   const Volume& f = sigma.volume();
-  const Index3 n = f.dims();
-  const auto index = [&](Index3 s) { return static_cast<std::uint32_t>(f.index(s.i, s.j, s.k)); };
-  const auto is_inside = [&](Index3 s) { return f.sample(s.i, s.j, s.k) >= sigma.kappa(); };
-  const auto for_each_sample = [&](auto&& visit) {
-    Index3 s;
-    for (s.k = 0; s.k < n.k; ++s.k) {
-      for (s.j = 0; s.j < n.j; ++s.j) {
-        for (s.i = 0; s.i < n.i; ++s.i) visit(s);
-      }
-    }
-  };
-  DisjointSets regions(index(n + Index3{-1, -1, -1}) + std::size_t{1});
-  for_each_sample([&](Index3 s) {
-    for (int axis = 0; axis < 3; ++axis) {
-      Index3 before = s;
-      if (--before[axis] >= 0 && is_inside(before) == is_inside(s)) {
-        regions.unite(index(before), index(s));
-      }
-    }
-  });
+  if (f.sample_count() >= kNoId) {
+    throw InputError("--facet-cycles is for less than 2^32 samples");
+  }
+  DisjointSets regions = regions_of_samples(f, sigma.kappa());
   std::vector<Vec3> points;
   SearchCounters not_counted;
-  for_each_sample([&](Index3 s) {
-    if (regions.find(index(s)) != index(s)) return;
+  for_each_sample(f.dims(), [&](Index3 s) {
+    if (regions.find(number_of(f, s)) != number_of(f, s)) return;
     const Vec3 at = f.position(s);
     Vec3 below = at, above = at;
     below.z = f.box().lo.z;

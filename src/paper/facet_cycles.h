@@ -13,7 +13,7 @@ namespace deliso::paper {
 
 // Returns points of Sigma next to the lowest sample of each region of samples, inside or outside,
 // that edges of the grid connect: there Sigma has a piece that bounds the region from below. They
-// take the place of critical points of Sigma.
+// take the place of critical points of Sigma. Throws InputError for 2^32 samples and more.
 std::vector<Vec3> points_below_regions(Sigma& sigma);
 
 // Returns a point of Sigma in a Voronoi facet of q whose edges do not meet Sigma, the furthest from

@@ -24,14 +24,14 @@ struct Options {
   CubicMethod solver = CubicMethod::schwarze;
   // Hits of facets that an insertion leaves are kept; only facets at the new vertex are searched.
   bool keep_hits = false;
-  // The third test, and a sample that meets every component (facet_cycles.h).
+  // Voronoi facets are tested, too, and the sample meets every component (facet_cycles.h).
   bool facet_cycles = false;
   bool single_stage = false;        // the baseline of Table 2: all refinement on Del S
   bool stop_after_recover = false;  // the mesh is Del S_1|Sigma
   std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
   Observer* observer = nullptr;
 
-  // In r_min: nearer points of Sigma are taken for one. With the third test insertion ends at a
+  // In r_min: nearer points of Sigma are taken for one. With facet cycles insertion ends at a
   // tenth, and small components need it.
   double closest() const { return facet_cycles ? 0.1 : 1; }
 };

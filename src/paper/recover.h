@@ -57,7 +57,8 @@ class Recovery {
   void for_each_facet(Visit&& visit);
   // Disk(): D_q is a disk; of a vertex on the curves a half disk that ends at its neighbors there.
   bool is_disk(SiteId q);
-  // Inserts x, a hit of sigma, or splits the curve's edge that x encroaches upon. False: neither.
+  // Inserts x, a hit of sigma or a point of Sigma near its cell, or splits the curve's edge that x
+  // encroaches upon. False: neither.
   bool insert(Facet sigma, const Vec3& x);
   bool split(SiteId a, const CurveEdge& edge, Facet sigma);
   // D_q is empty, or a disk. Inserts a point beside q, or of a facet cycle, if there is one.
