@@ -45,11 +45,7 @@ enum class FaultKind : std::uint8_t {
   count_
 };
 inline constexpr std::size_t kFaultKinds = static_cast<std::size_t>(FaultKind::count_);
-struct FaultRow {
-  FaultKind value;
-  std::string_view name;
-};
-inline constexpr std::array<FaultRow, kFaultKinds> kFaultTable{{
+inline constexpr std::array<EnumRow<FaultKind, std::string_view>, kFaultKinds> kFaultTable{{
     {FaultKind::vertices_not_finite, "vertices not finite"},
     {FaultKind::duplicate_vertices, "duplicate vertices"},
     {FaultKind::unused_vertices, "unused vertices"},
@@ -80,7 +76,7 @@ inline constexpr std::array<FaultRow, kFaultKinds> kFaultTable{{
 static_assert(is_in_order(kFaultTable));
 
 constexpr std::string_view name_of(FaultKind kind) {
-  return row_of(kFaultTable, kind).name;
+  return row_of(kFaultTable, kind).words;
 }
 
 struct Fault {

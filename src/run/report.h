@@ -18,47 +18,35 @@
 namespace deliso {
 
 enum class Counter : std::uint8_t {
-  components_skipped,
-  voxels_cut,
-  voxels_crossed,
-  unready_facets,
-  coarsened_again,
-  unrefined_facets,
-  points_far,
-  cap_edges_lifted,
-  cap_lifts_off_surface,
-  cap_not_lifted,
-  cap_refused,
+  // Stage 1
+  components_skipped,  // by --min-component
+  voxels_cut,          // voxels in which the exact contour was made of cells
+  voxels_crossed,      // voxels in which triangles of it cross all the same
+  unready_facets,      // facets handed over whose dual line misses Sigma within r
+  coarsened_again,     // coarsenings made again because the mesh came to cross itself
+  // Stage 2
+  unrefined_facets,  // facets left that violate a criterion
+  points_far,        // vertices of T left further from the mesh than asked for
+  // --cap
+  cap_edges_lifted,       // edges and triangles within a face of the box, given a vertex off it
+  cap_lifts_off_surface,  // those of them that found no point of Sigma
+  cap_not_lifted,         // vertices, edges and triangles that had to stay in a face of the box
+  cap_refused,            // cap triangles kept as they are, for the boundary edges next to them
   count_
 };
 inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::count_);
-struct CounterRow {
-  Counter value;
-  std::string_view name, text;
-};
-inline constexpr std::array<CounterRow, kCounterCount> kCounterTable{{
-    // Stage 1
-    {Counter::components_skipped, "components_skipped",
-     "components left out by --min-component or --largest"},
-    {Counter::voxels_cut, "voxels_cut", "voxels in which the exact contour was made of cells"},
-    {Counter::voxels_crossed, "voxels_crossed",
-     "voxels in which triangles of it cross all the same"},
-    {Counter::unready_facets, "unready_facets",
-     "facets handed over whose dual line misses the surface within r"},
-    {Counter::coarsened_again, "coarsened_again",
-     "coarsenings made again because the mesh came to cross itself"},
-    // Stage 2
-    {Counter::unrefined_facets, "unrefined_facets", "facets left that violate a criterion"},
-    {Counter::points_far, "points_far", "vertices of T left further from the mesh than asked for"},
-    // --cap
-    {Counter::cap_edges_lifted, "cap_edges_lifted",
-     "edges and triangles within a face of the box, given a vertex off it"},
-    {Counter::cap_lifts_off_surface, "cap_lifts_off_surface",
-     "those of them that found no point of the surface"},
-    {Counter::cap_not_lifted, "cap_not_lifted",
-     "vertices, edges and triangles that had to stay in a face of the box"},
-    {Counter::cap_refused, "cap_refused",
-     "cap triangles kept as they are, for the boundary edges next to them"},
+inline constexpr std::array<EnumRow<Counter, std::string_view>, kCounterCount> kCounterTable{{
+    {Counter::components_skipped, "components_skipped"},
+    {Counter::voxels_cut, "voxels_cut"},
+    {Counter::voxels_crossed, "voxels_crossed"},
+    {Counter::unready_facets, "unready_facets"},
+    {Counter::coarsened_again, "coarsened_again"},
+    {Counter::unrefined_facets, "unrefined_facets"},
+    {Counter::points_far, "points_far"},
+    {Counter::cap_edges_lifted, "cap_edges_lifted"},
+    {Counter::cap_lifts_off_surface, "cap_lifts_off_surface"},
+    {Counter::cap_not_lifted, "cap_not_lifted"},
+    {Counter::cap_refused, "cap_refused"},
 }};
 static_assert(is_in_order(kCounterTable));
 
@@ -95,50 +83,48 @@ inline constexpr std::array<OperationRow, kOperations> kOperationTable{{
 }};
 static_assert(is_in_order(kOperationTable));
 
-// Why an operation is refused: by a gate (refine/refinement.h), by the operation itself (""), or by
-// both.
+// Why an operation is refused: by a gate (refine/refinement.h), or by the operation itself.
 enum class Refusal : std::uint8_t {
-  not_a_disk,
-  swallows_vertex,
-  no_surface_point,
-  other_sheet,
-  too_close,
-  boundary,
-  turned,
-  no_gain,
-  uncovers,
-  crossing,
-  frozen,
-  passes_component,
+  not_a_disk,        // G1, or the facets of the cavity are no disk
+  swallows_vertex,   // an insertion itself: its cavity has a vertex inside
+  no_surface_point,  // G3
+  other_sheet,       // G3
+  too_close,         // an insertion itself: to a vertex of its cavity
+  boundary,          // an operation itself: on the box; or it would collapse an inserted vertex
+  turned,            // G2
+  no_gain,           // G4, or the operation itself: its quantity would not fall
+  uncovers,          // G4: of a removed vertex
+  crossing,          // G5
+  frozen,            // G0, or the operation itself
+  passes_component,  // an operation itself: a merge past another component
   count_
 };
 inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::count_);
 struct RefusalRow {
   Refusal value;
-  std::string_view name, gate, text;
+  std::string_view name, text;
 };
 inline constexpr std::array<RefusalRow, kRefusals> kRefusalTable{{
-    {Refusal::not_a_disk, "not_a_disk", "G1", "E or what takes its place is no disk"},
-    {Refusal::swallows_vertex, "swallows_vertex", "", "E has a vertex inside, which would go"},
-    {Refusal::no_surface_point, "no_surface_point", "G3",
-     "a new facet's dual line misses the surface"},
-    {Refusal::other_sheet, "other_sheet", "G3", "the point is on another sheet of the surface"},
-    {Refusal::too_close, "too_close", "", "the point is too near to a vertex of E"},
-    {Refusal::boundary, "boundary", "", "a boundary edge encroached upon that cannot be split"},
-    {Refusal::turned, "turned", "G2", "an edge would be too sharp, or a component reversed"},
-    {Refusal::no_gain, "no_gain", "",
+    {Refusal::not_a_disk, "not_a_disk", "E or what takes its place is no disk"},
+    {Refusal::swallows_vertex, "swallows_vertex", "E has a vertex inside, which would go"},
+    {Refusal::no_surface_point, "no_surface_point", "a new facet's dual line misses the surface"},
+    {Refusal::other_sheet, "other_sheet", "the point is on another sheet of the surface"},
+    {Refusal::too_close, "too_close", "the point is too near to a vertex of E"},
+    {Refusal::boundary, "boundary", "a boundary edge encroached upon that cannot be split"},
+    {Refusal::turned, "turned", "an edge would be too sharp, or a component reversed"},
+    {Refusal::no_gain, "no_gain",
      "the mesh would not be better, or a new facet would break a criterion"},
-    {Refusal::uncovers, "uncovers", "G4", "a vertex would go that is too far from the new facets"},
-    {Refusal::crossing, "crossing", "G5", "a new facet would cross another"},
-    {Refusal::frozen, "frozen", "G0",
+    {Refusal::uncovers, "uncovers", "a vertex would go that is too far from the new facets"},
+    {Refusal::crossing, "crossing", "a new facet would cross another"},
+    {Refusal::frozen, "frozen",
      "it would change facets of another region, and is tried again later"},
-    {Refusal::passes_component, "passes_component", "",
+    {Refusal::passes_component, "passes_component",
      "a vertex would be merged past another component"},
 }};
 static_assert(is_in_order(kRefusalTable));
 
 constexpr std::string_view name_of(Counter counter) {
-  return row_of(kCounterTable, counter).name;
+  return row_of(kCounterTable, counter).words;
 }
 constexpr std::string_view name_of(Operation operation) {
   return row_of(kOperationTable, operation).name;
