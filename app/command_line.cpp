@@ -302,17 +302,15 @@ constexpr Exclusion kExclusions[] = {
     {"--float", "--double", ""},
     {"--vertices", "--triangles --max-distance --stop-after --max-vertices", ""},
     {"--triangles", "--max-distance --stop-after --max-vertices", ""},
-    {"--certified", "--keep-hits --facet-cycles --single-stage",
-     ": its sites are no points of Voronoi edges"},
+    {"--certified", "--facet-cycles", ": its sites are no points of Voronoi edges"},
     {"--shared", "--check --attributes --largest --min-component", ""},
     {"--part", "--vertices --triangles", ""},
     {"--part", "--float --double --ply-ascii --format --attributes --check --json",
      ": give it to deliso join"}};
 
 // The options that the published program alone has, and those that it has not.
-constexpr std::string_view kOnlyPaper[] = {"--facet-cycles", "--certified",    "--eps",
-                                           "--eps2",         "--lines",        "--seed",
-                                           "--keep-hits",    "--single-stage", "--solver"};
+constexpr std::string_view kOnlyPaper[] = {"--facet-cycles", "--certified", "--eps",   "--eps2",
+                                           "--lines",        "--seed",      "--solver"};
 constexpr std::string_view kNeverPaper[] = {
     "--vertices", "--triangles",  "--max-distance", "--max-radius", "--min-component",
     "--largest",  "--block-side", "--cap",          "--part",       "--shared"};
@@ -352,7 +350,6 @@ void warn_of_ignored(CommandLine& line, const Given& given) {
       {"--max-radius", stops, "with --stop-after stage1"},
       {"--eps1", stops, "with --stop-after stage1"},
       {"--eps2", stops, "with --stop-after stage1"},
-      {"--single-stage", stops, "with --stop-after stage1"},
       {"--restricted", line.command == Command::mesh && !line.mesh.check, "without --check"},
       {"--format", !line.mesh.shared.empty() && line.output.empty(),
        "on the file of --shared, whose name tells its format"},

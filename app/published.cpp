@@ -17,7 +17,7 @@ struct PaperCount {
 };
 constexpr PaperCount kPaperCounts[] = {
     {&paper::Report::cancelled_pairs, "cancelled_pairs",
-     "pairs of hits nearer than r_min on one Voronoi edge, left out"},
+     "pairs of hits nearer than r_min / 10 on one Voronoi edge, left out"},
     {&paper::Report::curve_splits, "curve_splits",
      "edges of the boundary curves split in place of an insertion"},
     {&paper::Report::curve_refusals, "curve_refusals",
@@ -90,9 +90,7 @@ void add_published(ReportWriter& out, const CommandLine& line, const paper::Repo
   out.add("lines", options.lines, "random lines of InitTriangulation");
   out.add("seed", options.seed, "of what is random");
   out.add_choice("solver", static_cast<std::size_t>(options.solver), solvers, "of cubics");
-  out.add("keep_hits", options.keep_hits, "only facets at a new vertex are searched");
   out.add("facet_cycles", options.facet_cycles, "Voronoi facets are tested, too");
-  out.add("single_stage", options.single_stage, "all refinement in three dimensions");
   out.add("contour_vertices", report.contour_vertices,
           "of the exact contour, whose vertices the certified sites are");
   out.add("insertions_certified", report.insertions_certified,

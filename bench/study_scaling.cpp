@@ -6,6 +6,7 @@
 
 #include "support/line_chart.h"
 #include "support/runs.h"
+#include "support/single_stage.h"
 
 using namespace deliso;
 
@@ -27,11 +28,12 @@ int work(const BenchArguments& arguments) {
     std::vector<double> seconds;
     for (const bool single_stage : {true, false}) {
       paper::Options options = published_options(opened);
-      options.single_stage = single_stage;
       for (double* epsilon : {&options.epsilon, &options.epsilon1, &options.epsilon2}) {
         *epsilon *= factor;
       }
-      const PublishedRuns runs = measure_runs(opened, options, arguments);
+      const PublishedRuns runs =
+          measure_runs(opened, options, arguments,
+                       single_stage ? single_stage_deliso : PublishedProgram(paper::deliso));
       seconds.push_back(runs.total().median);
       const auto vertices = static_cast<double>(runs.mesh.points.size());
       row.push_back(count_cell(vertices));

@@ -13,6 +13,7 @@
 #include "check/validity.h"
 #include "contour/contour.h"
 #include "support/runs.h"
+#include "support/single_stage.h"
 
 using namespace deliso;
 
@@ -56,12 +57,12 @@ int work(const BenchArguments& arguments) {
     const Volume& volume = opened.volume;
     const ContourMesh contour =
         build_contour(volume, geometric_isovalue(volume.type(), opened.isovalue));
-    paper::Options options = published_options(opened);
+    const paper::Options options = published_options(opened);
     for (const bool single_stage : {false, true}) {
-      options.single_stage = single_stage;
+      const PublishedProgram program = single_stage ? single_stage_deliso : paper::deliso;
       std::vector<std::string> row{dataset.name, single_stage ? "one" : "two", opened.data,
                                    count_of(opened.lines)};
-      for (std::string& cell : cells_of(run_once(opened, options), volume, contour)) {
+      for (std::string& cell : cells_of(run_once(opened, options, program), volume, contour)) {
         row.push_back(std::move(cell));
       }
       table.add(std::move(row));

@@ -60,9 +60,10 @@ Runs<R> run_in_time(Run&& run) {
   return runs;
 }
 
-template <class R, class O>
-Runs<R> measure(const OpenedDataset& opened, const O& options, const BenchArguments& arguments) {
-  Runs<R> runs = run_once(opened, options);
+// run() returns Runs<R> of one run.
+template <class R, class Run>
+Runs<R> measure(const BenchArguments& arguments, Run&& run) {
+  Runs<R> runs = run();
   double spent = runs.seconds[0];
   const double first = spent;
   if (first < kLongRun) {
@@ -71,7 +72,7 @@ Runs<R> measure(const OpenedDataset& opened, const O& options, const BenchArgume
   }
   while (runs.reports.size() < arguments.repeat &&
          (runs.reports.empty() || spent + first <= arguments.budget)) {
-    Runs<R> next = run_once(opened, options);
+    Runs<R> next = run();
     spent += next.seconds[0];
     runs.reports.push_back(next.last());
     runs.seconds.push_back(next.seconds[0]);
@@ -143,13 +144,13 @@ ExactRuns run_once(const OpenedDataset& opened, const Options& options) {
 }
 
 PublishedRuns measure_runs(const OpenedDataset& opened, const paper::Options& options,
-                           const BenchArguments& arguments) {
-  return measure<paper::Report>(opened, options, arguments);
+                           const BenchArguments& arguments, PublishedProgram program) {
+  return measure<paper::Report>(arguments, [&] { return run_once(opened, options, program); });
 }
 
 ExactRuns measure_runs(const OpenedDataset& opened, const Options& options,
                        const BenchArguments& arguments) {
-  return measure<Report>(opened, options, arguments);
+  return measure<Report>(arguments, [&] { return run_once(opened, options); });
 }
 
 paper::Options published_options(const OpenedDataset& opened) {

@@ -53,14 +53,15 @@ using ExactRuns = Runs<Report>;
 
 // Meshes once to warm up and then up to arguments.repeat times, while arguments.budget lasts. A
 // first run of a second and more counts as well: what it warms up no longer shows.
+using PublishedProgram = TriMesh (*)(const Volume&, double isovalue, const paper::Options&,
+                                     paper::Report&);
 PublishedRuns measure_runs(const OpenedDataset& opened, const paper::Options& options,
-                           const BenchArguments& arguments);
+                           const BenchArguments& arguments,
+                           PublishedProgram program = paper::deliso);
 ExactRuns measure_runs(const OpenedDataset& opened, const Options& options,
                        const BenchArguments& arguments);
 
 // One run, as every measurement in one thread.
-using PublishedProgram = TriMesh (*)(const Volume&, double isovalue, const paper::Options&,
-                                     paper::Report&);
 PublishedRuns run_once(const OpenedDataset& opened, const paper::Options& options,
                        PublishedProgram program = paper::deliso);
 ExactRuns run_once(const OpenedDataset& opened, const Options& options);

@@ -42,46 +42,55 @@ Recovery init_triangulation(Sigma& sigma, const Options& options, Report& report
   return Recovery(std::move(s0), curves, ids, options, report);
 }
 
-TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Report& report,
-               const StageOne& stage_one) {
-  const StepTimer total(report.seconds_total);
+VoxelTree begin_run(const Volume& volume, double isovalue, const Options& options, Report& report) {
   if (!(volume.box().smallest_side() > 0)) {
     throw InputError("a volume needs two or more samples along each axis");
   }
   report.kappa = geometric_isovalue(volume.type(), isovalue);
   report.r_min = options.r_min * volume.box().smallest_side();
-  const VoxelTree tree = timed(report.seconds_tree, [&] { return VoxelTree(volume); });
-  Sigma sigma(tree, report.kappa, options.solver);
+  return timed(report.seconds_tree, [&] { return VoxelTree(volume); });
+}
 
-  SurfaceMesh t = stage_one(sigma);  // from here on there are no tetrahedra
+TriMesh finish(SurfaceMesh t, const Sigma& sigma, const Options& options, Report& report) {
   if (options.observer) options.observer->mesh_ready(t);
   if (!t.poles.empty()) {
     stage("refine", report.seconds_refine, options,
           [&] { refine_geom(t, sigma, options, report); });
   }
-  t.mesh.frame = volume.frame();
+  t.mesh.frame = sigma.volume().frame();
   return std::move(t.mesh);
 }
 
+namespace {
+
+// Stage 1: returns T_S, with pole heights unless it is all that is asked for.
+SurfaceMesh stage_one(Sigma& sigma, const Options& options, Report& report) {
+  Recovery s = stage("initial", report.seconds_init, options,
+                     [&] { return init_triangulation(sigma, options, report); });
+  if (report.points_initial() == 0 && !sigma.is_empty()) {
+    throw InputError("none of the ", options.lines,
+                     " random lines meets the surface: --lines N draws more");
+  }
+  if (options.observer) options.observer->sample_ready(s.del(), report);
+  stage("recover", report.seconds_recover, options, [&] { s.recover(); });
+  s.count_left();
+  if (options.observer) options.observer->recovered();
+  std::vector<double> poles;
+  if (!options.stop_after_recover) {
+    stage("poles", report.seconds_poles, options,
+          [&] { poles = compute_poles(s.del().del(), sigma); });
+  }
+  return build_tri_mesh(s.del(), poles);
+}
+
+}  // namespace
+
 TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Report& report) {
-  return deliso(volume, isovalue, options, report, [&](Sigma& sigma) {
-    Recovery s = stage("initial", report.seconds_init, options,
-                       [&] { return init_triangulation(sigma, options, report); });
-    if (report.points_initial() == 0 && !sigma.is_empty()) {
-      throw InputError("none of the ", options.lines,
-                       " random lines meets the surface: --lines N draws more");
-    }
-    if (options.observer) options.observer->sample_ready(s.del(), report);
-    stage("recover", report.seconds_recover, options, [&] { s.recover(); });
-    s.count_left();
-    if (options.observer) options.observer->recovered();
-    if (options.stop_after_recover) return build_tri_mesh(s.del(), {});
-    const std::vector<double> poles = stage("poles", report.seconds_poles, options,
-                                            [&] { return compute_poles(s.del().del(), sigma); });
-    if (!options.single_stage) return build_tri_mesh(s.del(), poles);
-    stage("refine", report.seconds_refine, options, [&] { s.refine(poles); });
-    return build_tri_mesh(s.del(), {});
-  });
+  const StepTimer total(report.seconds_total);
+  const VoxelTree tree = begin_run(volume, isovalue, options, report);
+  Sigma sigma(tree, report.kappa, options.solver);
+  // There are no tetrahedra when Stage 1 is over.
+  return finish(stage_one(sigma, options, report), sigma, options, report);
 }
 
 }  // namespace deliso::paper

@@ -7,9 +7,8 @@
 // asks for more.
 #pragma once
 
-#include <functional>
-
 #include "base/stopwatch.h"
+#include "kdtree/voxel_tree.h"
 #include "mesh/tri_mesh.h"
 #include "paper/options.h"
 #include "paper/recover.h"
@@ -24,12 +23,10 @@ namespace deliso::paper {
 // meets Sigma, and beyond max_vertices. pre: all samples are finite; lambda >= 1, r_min > 0.
 TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Report& report);
 
-// Stage 1: returns T_S with the pole heights; without them, the mesh is not refined.
-using StageOne = std::function<SurfaceMesh(Sigma&)>;
-
-// The same with another Stage 1 (recover/certified.h).
-TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Report& report,
-               const StageOne& stage_one);
+// What Figure 4 begins and ends with, whatever is Stage 1 (recover/certified.h has another): the
+// kd-tree, kappa and r_min; then RefineGeom, if pole heights are known. Returns the mesh of t.
+VoxelTree begin_run(const Volume& volume, double isovalue, const Options& options, Report& report);
+TriMesh finish(SurfaceMesh t, const Sigma& sigma, const Options& options, Report& report);
 
 // Runs a step, with its time and its name for the observer.
 template <class Run>

@@ -65,7 +65,7 @@ void for_each_cut(const std::vector<Vec3>& corners, const Volume& volume, int ax
 
 std::vector<Vec3> points_below_regions(Sigma& sigma) {
   const Volume& f = sigma.volume();
-  if (f.sample_count() >= kNoId) {
+  if (f.sample_count() >= kNoId) {  // unreachable: in 4 GB
     throw InputError("--facet-cycles is for less than 2^32 samples");
   }
   DisjointSets regions = regions_of_samples(f, sigma.kappa());

@@ -22,18 +22,15 @@ struct Options {
   std::size_t lines = 50;  // random lines; where they meet Sigma, S_0 has its points
   std::uint64_t seed = 1;
   CubicMethod solver = CubicMethod::schwarze;
-  // Hits of facets that an insertion leaves are kept; only facets at the new vertex are searched.
-  bool keep_hits = false;
   // Voronoi facets are tested, too, and the sample meets every component (facet_cycles.h).
   bool facet_cycles = false;
-  bool single_stage = false;        // the baseline of Table 2: all refinement on Del S
   bool stop_after_recover = false;  // the mesh is Del S_1|Sigma
   std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
   Observer* observer = nullptr;
 
-  // In r_min: nearer points of Sigma are taken for one. With facet cycles insertion ends at a
-  // tenth, and small components need it.
-  double closest() const { return facet_cycles ? 0.1 : 1; }
+  // In r_min: nearer points of Sigma are taken for one. The least power of ten with which insertion
+  // ends on all volumes.
+  static constexpr double kClosest = 0.1;
 };
 
 }  // namespace deliso::paper

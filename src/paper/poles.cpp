@@ -8,7 +8,7 @@
 
 namespace deliso::paper {
 
-std::vector<double> compute_poles(const Triangulation& del, const Sigma& sigma) {
+std::vector<std::array<double, 2>> both_poles(const Triangulation& del, const Sigma& sigma) {
   std::vector<std::array<double, 2>> furthest(del.vertex_capacity(), {0, 0});
   for (CellId c = 0; c < del.cell_capacity(); ++c) {
     if (!del.is_live(c) || del.is_infinite(c)) continue;
@@ -18,9 +18,14 @@ std::vector<double> compute_poles(const Triangulation& del, const Sigma& sigma) 
       furthest[q][is_inside] = std::max(furthest[q][is_inside], sphere.radius);
     }
   }
+  return furthest;
+}
+
+std::vector<double> compute_poles(const Triangulation& del, const Sigma& sigma) {
   std::vector<double> heights;
-  heights.reserve(furthest.size());
-  for (const auto& [outside, inside] : furthest) heights.push_back(std::min(outside, inside));
+  for (const auto& [outside, inside] : both_poles(del, sigma)) {
+    heights.push_back(std::min(outside, inside));
+  }
   return heights;
 }
 

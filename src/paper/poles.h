@@ -4,6 +4,7 @@
 // Amenta and Bern 1999).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "delaunay/triangulation.h"
@@ -11,8 +12,11 @@
 
 namespace deliso::paper {
 
-// Returns h_q of every site. A Voronoi vertex is in the part of its side of Sigma. Beyond the box
-// Sigma goes on along the normal of its faces: g there is that of the nearest point of the box.
+// Returns of every site the distances to its poles outside and inside Sigma; 0: it has none there.
+// A Voronoi vertex is in the part of its side of Sigma. Beyond the box Sigma goes on along the
+// normal of its faces: g there is that of the nearest point of the box.
+std::vector<std::array<double, 2>> both_poles(const Triangulation& del, const Sigma& sigma);
+// Returns h_q of every site.
 std::vector<double> compute_poles(const Triangulation& del, const Sigma& sigma);
 
 }  // namespace deliso::paper

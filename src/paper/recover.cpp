@@ -17,6 +17,7 @@ namespace {
 // Of a voxel: shorter edges of the boundary curves are not split. Two curves very near to each
 // other encroach upon each other however short their edges are.
 constexpr double kShortestEdge = 0.02;
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -54,12 +55,6 @@ void Recovery::recover() {
   multi_intersect();
   extract_manifold();
   approximate_geom(options_.epsilon);
-  extract_manifold();
-}
-
-void Recovery::refine(std::vector<double> poles) {
-  poles_ = std::move(poles);
-  approximate_geom(options_.epsilon1);
   extract_manifold();
 }
 
@@ -121,7 +116,7 @@ void Recovery::insert_without_hit(SiteId q) {
   std::optional<Vec3> x;
   if (star_.empty()) x = point_beside(q);
   if (!x && options_.facet_cycles) {
-    x = facet_cycle(del_, q, options_.closest() * report_.r_min, report_.searches_recover);
+    x = facet_cycle(del_, q, Options::kClosest * report_.r_min, report_.searches_recover);
   }
   if (x && insert({del_.del().incident_cell(q), 0}, *x)) queue(q);
 }
@@ -131,7 +126,7 @@ std::optional<Vec3> Recovery::point_beside(SiteId q) {
   const Vec3& at = t.point(q);
   const Volume& volume = del_.sigma().volume();
   const Vec3 g = volume.gradient(at);
-  const double reach = length(volume.box().size()), least = options_.closest() * report_.r_min;
+  const double reach = length(volume.box().size()), least = Options::kClosest * report_.r_min;
   for (const Vec3& along : {length(g) > 0 ? g / length(g) : Vec3{1, 0, 0}, Vec3{1, 0, 0},
                             Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
     std::optional<Vec3> x;
@@ -166,19 +161,14 @@ bool Recovery::is_disk(SiteId q) {
   return star == Star::half_disk && std::ranges::all_of(curve_[q], ends_there);
 }
 
-double Recovery::pole_of(const SiteTriangle& v) const {
-  if (poles_.empty()) return std::numeric_limits<double>::infinity();
-  return (poles_[v[0]] + poles_[v[1]] + poles_[v[2]]) / 3;
-}
-
-void Recovery::approximate_geom(double epsilon) {
+void Recovery::approximate_geom(double epsilon, const PoleHeight& pole) {
   for_each_facet([&](Facet sigma) {
     const SiteTriangle v = facet_vertices(del_.del(), sigma);
     const auto at = [&](std::size_t i) { return del_.del().point(v[i]); };
     const Vec3 x = nearest(del_.hits(sigma), at(0)).point;
     const FacetShape m = measure(at(0), at(1), at(2), x);
     if (m.r <= report_.r_min) return;
-    const auto [worst, reason] = violation(m, epsilon, pole_of(v), options_);
+    const auto [worst, reason] = violation(m, epsilon, pole ? pole(v) : kNoLimit, options_);
     if (worst <= 1) return;
     if (options_.observer) options_.observer->asks(reason, sigma, kNoId, worst, x);
     insert(sigma, x);
@@ -245,23 +235,10 @@ bool Recovery::split(SiteId a, const CurveEdge& edge, Facet sigma) {
 }
 
 void Recovery::add_site(const Vec3& p) {
-  const SiteId v = del_.insert(p);
-  ++(poles_.empty() ? report_.insertions_recover : report_.insertions_refine);
+  del_.insert(p);
+  ++report_.insertions_recover;
   for (const SiteId q : del_.touched()) queue(q);
   for (const Facet f : del_.created()) queue(f);
-  if (!poles_.empty()) {
-    // The mean pole height of the vertices adjacent in Del S|Sigma (§3.2).
-    del_.star(v, star_);
-    double sum = 0, count = 0;
-    for (const Facet f : star_) {
-      for (const SiteId q : facet_vertices(del_.del(), f)) {
-        if (q == v) continue;
-        sum += poles_[q];
-        ++count;
-      }
-    }
-    poles_.push_back(count > 0 ? sum / count : 0);
-  }
   // Without the auxiliary vertices and the infinite one.
   require_few(del_.del().vertex_capacity() - kAuxiliaryVertices - 1, options_);
 }

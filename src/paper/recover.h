@@ -9,6 +9,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,9 @@
 #include "paper/restricted.h"
 
 namespace deliso::paper {
+
+// The mean pole height of a facet's corners.
+using PoleHeight = std::function<double(const SiteTriangle&)>;
 
 // Del S while it grows from S_0 to S_1.
 class Recovery {
@@ -28,8 +32,6 @@ class Recovery {
   const RestrictedDelaunay& del() const { return del_; }
 
   void recover();
-  // The baseline of Table 2: RefineGeom's criteria, on Del S. `poles`: of every site.
-  void refine(std::vector<double> poles);
   // Counts in the report what is not as it should be.
   void count_left();
 
@@ -37,9 +39,9 @@ class Recovery {
   void multi_intersect();
   // Inserts the furthest hit of D_q wherever D_q is no disk.
   void extract_manifold();
-  // Inserts the hit of every facet above r_min with h/r > epsilon, r/l > lambda, or, where poles
-  // are known, r/h_sigma > epsilon2.
-  void approximate_geom(double epsilon);
+  // Inserts the hit of every facet above r_min with h/r > epsilon or r/l > lambda, or, where the
+  // pole heights of its corners are known, r/h_sigma > epsilon2.
+  void approximate_geom(double epsilon, const PoleHeight& pole = {});
 
  private:
   struct Item {
@@ -72,7 +74,6 @@ class Recovery {
   void queue(SiteId q);
   void queue(Facet f) { facets_.push_back({f, facet_vertices(del_.del(), f)}); }
   bool on_curve(SiteId q) const { return q < curve_.size() && !curve_[q].empty(); }
-  double pole_of(const SiteTriangle& v) const;
 
   RestrictedDelaunay del_;
   const Options& options_;
@@ -84,7 +85,6 @@ class Recovery {
   std::deque<SiteId> vertices_;
   std::vector<std::uint8_t> is_queued_;  // by site
   std::vector<Facet> star_;              // of the last is_disk()
-  std::vector<double> poles_;            // by site; empty: not known
 };
 
 // Returns the hit furthest from p, and that nearest to it. pre: there are hits.

@@ -14,13 +14,13 @@ struct Report {
   double seconds_tree = 0, seconds_init = 0, seconds_recover = 0;
   double seconds_contour = 0;  // of the certified Stage 1
   double seconds_poles = 0;    // ComputePoles
-  double seconds_refine = 0;   // BuildTriMesh and RefineGeom; single stage: on Del S
+  double seconds_refine = 0;   // RefineGeom
   double seconds_total = 0;
   std::size_t points_on_lines = 0, points_on_curves = 0;      // S_0
   std::size_t insertions_recover = 0, insertions_refine = 0;  // n_RC and n_RF
   SearchCounters searches_recover, searches_refine;           // of which Table 4 is made
 
-  std::size_t cancelled_pairs = 0;  // of hits nearer than r_min on one Voronoi edge
+  std::size_t cancelled_pairs = 0;  // of hits nearer than kClosest r_min on one Voronoi edge
   std::size_t curve_splits = 0;     // edges of the boundary curves split in place of an insertion
   std::size_t curve_refusals = 0;   // insertions refused for such an edge
   std::size_t not_a_disk = 0;       // insertions refused since E is no disk

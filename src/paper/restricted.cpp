@@ -30,22 +30,17 @@ void RestrictedDelaunay::search(Facet f) {
   const FacetDual edge = facet_dual(del_, f);
   const Range t = clip(edge.center, edge.normal, {edge.t_lo, edge.t_hi}, box_);
   if (!(t.lo < t.hi)) return;
-  auto& [x, has_cancelled] = hits_[slot(f)];
+  std::vector<Hit>& x = hits_[slot(f)];
   for (const Hit& hit :
        sigma_.intersect({edge.at(t.lo), edge.at(t.hi)}, report_.searches_recover)) {
-    if (!x.empty() && distance(x.back().point, hit.point) < options_.closest() * report_.r_min) {
+    if (!x.empty() && distance(x.back().point, hit.point) < Options::kClosest * report_.r_min) {
       x.pop_back();
-      has_cancelled = true;
       ++report_.cancelled_pairs;
     } else {
       x.push_back(hit);
     }
   }
-  add_created(f);
-}
-
-void RestrictedDelaunay::add_created(Facet f) {
-  if (hits(f).empty()) return;
+  if (x.empty()) return;
   created_.push_back(f);
   add_touched(f);
 }
@@ -92,35 +87,20 @@ SiteId RestrictedDelaunay::insert(const Vec3& p) {
   if (options_.observer) options_.observer->insertion_begins(p, zone_);
   created_.clear();
   touched_.assign(1, SiteId(del_.vertex_capacity()));
-  if (options_.keep_hits) {
-    kept_.clear();
-    for (const Facet f : zone_.boundary) kept_.push_back(hits_[slot(f)]);
-  }
   for (const CellId c : zone_.cells) {
     for (int i = 0; i < 4; ++i) {
-      Hits& hits = hits_[slot({c, i})];
-      if (!hits.x.empty()) add_touched({c, i});
-      hits = {};
+      std::vector<Hit>& x = hits_[slot({c, i})];
+      if (!x.empty()) add_touched({c, i});
+      x.clear();
     }
   }
   const SiteId v = del_.insert_in_zone(p, zone_, new_cells_);
   hits_.resize(4 * del_.cell_capacity());
+  // A new facet of the zone's boundary is searched, though it was there before.
   for (std::size_t k = 0; k < new_cells_.size(); ++k) {
     const CellId c = new_cells_[k];
     for (int i = 0; i < 4; ++i) {
-      const Facet f{c, i};
-      if (i != zone_.boundary[k].index) {
-        if (c < del_.neighbor(c, i)) search(f);
-      } else if (options_.keep_hits && !kept_[k].has_cancelled) {
-        const Vec3& corner = del_.point(facet_vertices(del_, f)[0]);
-        std::erase_if(kept_[k].x, [&](const Hit& x) {
-          return distance2(x.point, p) < distance2(x.point, corner);
-        });
-        hits_[slot(f)] = std::move(kept_[k]);
-        add_created(f);
-      } else {
-        search(f);
-      }
+      if (i == zone_.boundary[k].index || c < del_.neighbor(c, i)) search({c, i});
     }
   }
   if (options_.observer) options_.observer->site_added(v);

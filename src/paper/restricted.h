@@ -3,11 +3,11 @@
 // Voronoi edge V_sigma meets Sigma, its hits (paper §2.2.1). The facets with a hit are Del S|Sigma.
 //
 // As published, every facet of every new cell is searched; that is where most of Recover's time
-// goes (§3.2). With Options::keep_hits, facets that were there before keep the hits that are no
-// nearer to the new vertex than to their own corners: Voronoi faces only shrink.
+// goes (§3.2).
 //
-// Two hits of one Voronoi edge nearer than r_min cancel each other: a ridge of the trilinear
-// surface, or a very thin sheet, where insertion would not end. The sides of its ends stay.
+// Two hits of one Voronoi edge nearer than kClosest r_min cancel each other: a ridge of the
+// trilinear surface, or a very thin sheet, where insertion would not end. The sides of its ends
+// stay.
 #pragma once
 
 #include <span>
@@ -31,7 +31,7 @@ class RestrictedDelaunay {
   Sigma& sigma() const { return sigma_; }
   bool is_auxiliary(SiteId q) const { return deliso::is_auxiliary(del_.point(q), box_); }
   // Returns V_sigma cap Sigma, in order along the dual line of facet_dual().
-  std::span<const Hit> hits(Facet sigma) const { return hits_[slot(sigma)].x; }
+  std::span<const Hit> hits(Facet sigma) const { return hits_[slot(sigma)]; }
   // Returns the cells at q. Valid until the next call, or star().
   std::span<const CellId> cells_at(SiteId q) const;
   // Sets `d_q` to D_q: the facets of Del S|Sigma at q.
@@ -47,14 +47,9 @@ class RestrictedDelaunay {
   std::span<const SiteId> touched() const { return touched_; }
 
  private:
-  struct Hits {
-    std::vector<Hit> x;
-    bool has_cancelled = false;  // others cancelled each other: not to be kept
-  };
   // The hits of a facet are stored at one of its two sides.
   std::size_t slot(Facet f) const;
   void search(Facet f);
-  void add_created(Facet f);  // if it has a hit; and its corners to touched_
   void add_touched(Facet f);
 
   Triangulation del_;
@@ -62,10 +57,9 @@ class RestrictedDelaunay {
   const Options& options_;
   Report& report_;
   Box3 box_;
-  std::vector<Hits> hits_;  // by slot
+  std::vector<std::vector<Hit>> hits_;  // by slot
   ConflictZone zone_;
   std::vector<CellId> new_cells_;
-  std::vector<Hits> kept_;  // per facet of the zone's boundary
   std::vector<Facet> created_;
   std::vector<SiteId> touched_;
   mutable std::vector<CellId> around_;

@@ -176,37 +176,44 @@ void CertifiedSites::certify(double epsilon) {
   report_.uncertified_sites = static_cast<std::size_t>(open);
 }
 
+// Stage 1: returns T_S, with pole heights unless it is all that is asked for.
+paper::SurfaceMesh stage_one(const Volume& volume, const paper::Sigma& sigma,
+                             const paper::Options& options, paper::Report& report) {
+  const ContourMesh contour = stage("contour", report.seconds_contour, options, [&] {
+    return fine_contour(build_contour(volume, sigma.kappa()), volume, sigma.kappa());
+  });
+  report.contour_vertices = contour.points.size();
+  if (contour.points.empty()) return paper::SurfaceMesh{};
+  CertifiedSites s = stage("initial", report.seconds_init, options, [&] {
+    return CertifiedSites(contour, first_sites(contour, volume.box(), options), sigma, options,
+                          report);
+  });
+  stage("recover", report.seconds_recover, options, [&] {
+    s.certify(kNoLimit);
+    report.insertions_certified = report.insertions_recover;
+    if (std::isfinite(options.epsilon)) s.certify(options.epsilon);
+  });
+  if (options.observer) options.observer->recovered();
+  std::vector<double> poles;
+  if (!options.stop_after_recover) {
+    stage("poles", report.seconds_poles, options, [&] { poles = compute_poles(s.del(), sigma); });
+  }
+  paper::SurfaceMesh k = paper::as_mesh(s.del(), s.dual_facets(), poles);
+  for (const Face& face : k.mesh.faces) {
+    const auto at = [&](std::size_t i) { return k.mesh.points[face.v[i]]; };
+    k.duals.push_back(paper::find_dual(at(0), at(1), at(2), sigma, report.searches_recover));
+  }
+  return k;
+}
+
 }  // namespace
 
 TriMesh certified_deliso(const Volume& volume, double isovalue, const paper::Options& options,
                          paper::Report& report) {
-  return paper::deliso(volume, isovalue, options, report, [&](paper::Sigma& sigma) {
-    const ContourMesh contour = stage("contour", report.seconds_contour, options, [&] {
-      return fine_contour(build_contour(volume, sigma.kappa()), volume, sigma.kappa());
-    });
-    report.contour_vertices = contour.points.size();
-    if (contour.points.empty()) return paper::SurfaceMesh{};
-    CertifiedSites s = stage("initial", report.seconds_init, options, [&] {
-      return CertifiedSites(contour, first_sites(contour, volume.box(), options), sigma, options,
-                            report);
-    });
-    stage("recover", report.seconds_recover, options, [&] {
-      s.certify(kNoLimit);
-      report.insertions_certified = report.insertions_recover;
-      if (std::isfinite(options.epsilon)) s.certify(options.epsilon);
-    });
-    if (options.observer) options.observer->recovered();
-    std::vector<double> poles;
-    if (!options.stop_after_recover) {
-      stage("poles", report.seconds_poles, options, [&] { poles = compute_poles(s.del(), sigma); });
-    }
-    paper::SurfaceMesh k = paper::as_mesh(s.del(), s.dual_facets(), poles);
-    for (const Face& face : k.mesh.faces) {
-      const auto at = [&](std::size_t i) { return k.mesh.points[face.v[i]]; };
-      k.duals.push_back(paper::find_dual(at(0), at(1), at(2), sigma, report.searches_recover));
-    }
-    return k;
-  });
+  const StepTimer total(report.seconds_total);
+  const VoxelTree tree = paper::begin_run(volume, isovalue, options, report);
+  const paper::Sigma sigma(tree, report.kappa, options.solver);
+  return paper::finish(stage_one(volume, sigma, options, report), sigma, options, report);
 }
 
 }  // namespace deliso

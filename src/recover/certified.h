@@ -18,10 +18,9 @@
 
 namespace deliso {
 
-// Returns the mesh, as paper::deliso() does. Of the options, `epsilon`, `keep_hits` and
-// `single_stage` mean nothing here. S_0 has all vertices of T on the box, which Refine does not
-// add, and `lines` random vertices, at least one. Throws InputError as paper::deliso(), and for a T
-// of 2^32 - 1 vertices.
+// Returns the mesh, as paper::deliso() does. Of the options, `facet_cycles` means nothing here. S_0
+// has all vertices of T on the box, which Refine does not add, and `lines` random vertices, at
+// least one. Throws InputError as paper::deliso(), and for a T of 2^32 - 1 vertices.
 TriMesh certified_deliso(const Volume& volume, double isovalue, const paper::Options& options,
                          paper::Report& report);
 

@@ -104,7 +104,7 @@ refuses 'r_min (--rmin) is .* at least 0.001' builtin:sphere --rmin 1e-12 -o $o
 refuses 'more than --max-vertices 10 vertices' builtin:fuel --max-vertices 10 -o $o
 refuses 'million vertices' builtin:fuel --rmin 0.001vox --max-distance 1e-12 --max-radius 1e-9 -o $o
 refuses 'million vertices' builtin:noise --max-distance 1e-7 --rmin 0.001vox --max-radius 0.003 -o $o
-refuses '^deliso: --single-stage belongs to --paper, the algorithm as published$' builtin:fuel --single-stage -o $o
+refuses '^deliso: --facet-cycles belongs to --paper, the algorithm as published$' builtin:fuel --facet-cycles -o $o
 refuses 'none of the 0 random lines meets the surface' builtin:sphere --paper --lines 0 -o $o
 refuses 'more than --max-vertices 100 vertices' builtin:fuel --paper --max-vertices 100 -o $o
 

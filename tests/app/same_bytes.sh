@@ -67,9 +67,9 @@ same builtin:noise:24 --median 1
 same builtin:noise:24 --median 1 --smooth 0.7vox --check
 same builtin:machine:32 --label 255
 same builtin:noise:16 --paper --rmin 0.5vox --max-vertices 20000
-same builtin:gyroid:16 --paper --keep-hits
+same builtin:gyroid:16 --paper
 same builtin:fuel:24 --paper --solver isolation --check
-same builtin:torus:16 --paper --single-stage
+same builtin:torus:16 --paper --facet-cycles
 same builtin:gyroid:32 --vertices 2000
 same builtin:gyroid:32 --cap
 same builtin:noise:16 --cap --check

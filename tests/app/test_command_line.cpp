@@ -162,17 +162,13 @@ TEST_CASE("--paper runs the published program, with the published values but for
     CHECK(options.lines == 50);
     CHECK(options.seed == 1);
     CHECK(options.solver == CubicMethod::schwarze);
-    CHECK_FALSE(options.keep_hits);
     CHECK_FALSE(options.facet_cycles);
-    CHECK_FALSE(options.single_stage);
     CHECK_FALSE(options.stop_after_recover);
     CHECK(options.max_vertices == std::numeric_limits<std::size_t>::max());
   }
   const paper::Options options = published_options(
       parsed("a --iso 1 --paper --eps 0.3 --eps1 0.4 --eps2 0.5 --lambda 1.5 --rmin 1vox --lines 9 "
-             "--keep-hits --facet-cycles --single-stage --solver isolation --seed "
-             "18446744073709551615 "
-             "--stop-after stage1 "
+             "--facet-cycles --solver isolation --seed 18446744073709551615 --stop-after stage1 "
              "--max-vertices 1000"),
       volume);
   CHECK(options.epsilon == 0.3);
@@ -181,9 +177,7 @@ TEST_CASE("--paper runs the published program, with the published values but for
   CHECK(options.lambda == 1.5);
   CHECK(options.r_min == doctest::Approx(0.25));  // the smallest side is four times a voxel's
   CHECK(options.lines == 9);
-  CHECK(options.keep_hits);
   CHECK(options.facet_cycles);
-  CHECK(options.single_stage);
   CHECK(options.solver == CubicMethod::isolation);
   CHECK(options.seed == std::numeric_limits<std::uint64_t>::max());
   CHECK(options.stop_after_recover);
@@ -199,11 +193,9 @@ TEST_CASE(
   CHECK(published_options(parsed("a --iso 1 --paper --certified --eps 0.2"), volume).epsilon ==
         0.2);
   CHECK_FALSE(parsed("a --iso 1 --paper").certified);
-  for (const std::string option : {"--keep-hits", "--facet-cycles", "--single-stage"}) {
-    CHECK(refusal("a --iso 1 --paper --certified " + option) ==
-          "--certified and " + option +
-              " exclude each other: its sites are no points of Voronoi edges");
-  }
+  CHECK(refusal("a --iso 1 --paper --certified --facet-cycles") ==
+        "--certified and --facet-cycles exclude each other: its sites are no points of Voronoi "
+        "edges");
 }
 
 TEST_CASE("check --paper holds a mesh against the published criteria") {
@@ -221,9 +213,8 @@ TEST_CASE("check --paper holds a mesh against the published criteria") {
 
 TEST_CASE("options of the published program need --paper, and it refuses those it has not") {
   for (const std::string command : {"mesh a --iso 1 ", "trace a --iso 1 -o p.html "}) {
-    for (const std::string option :
-         {"--certified", "--eps 0.2", "--eps2 0.2", "--lines 50", "--seed 3", "--keep-hits",
-          "--facet-cycles", "--single-stage", "--solver schwarze"}) {
+    for (const std::string option : {"--certified", "--eps 0.2", "--eps2 0.2", "--lines 50",
+                                     "--seed 3", "--facet-cycles", "--solver schwarze"}) {
       CAPTURE(option);
       CHECK(refusal(command + option) ==
             split(option)[0] + " belongs to --paper, the algorithm as published");

@@ -90,7 +90,7 @@ TEST_CASE("the bar goes from 0 to 100 %, and is not there before the last stage 
 TEST_CASE("the program knows every stage that a run reports") {
   const Volume volume = make_builtin_volume("builtin:fuel:24");
   for (const char* more : {"", " --cap", " --vertices 500", " --stop-after stage1", " --paper",
-                           " --paper --single-stage", " --paper --stop-after stage1",
+                           " --paper --facet-cycles", " --paper --stop-after stage1",
                            " --paper --certified", " --paper --certified --stop-after stage1"}) {
     CAPTURE(more);
     CommandLine line = command_line(more);

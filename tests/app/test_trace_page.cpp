@@ -80,7 +80,7 @@ TEST_CASE("the page has every array of the events, of one length, and what each 
 }
 
 TEST_CASE("with --paper the page shows the published program, with its counts") {
-  const std::string words = "builtin:fuel:16 --paper --rmin 0.3vox --keep-hits";
+  const std::string words = "builtin:fuel:16 --paper --rmin 0.3vox";
   const std::string page = page_of(words);
   const CommandLine line = parsed("trace -o page.html " + words);
   const Volume volume = make_builtin_volume("builtin:fuel:16");

@@ -14,8 +14,11 @@
 #include "base/random.h"
 #include "io/files/temporary_folder.h"
 #include "support/datasets.h"
+#include "support/insertion_cost.h"
 #include "support/line_chart.h"
+#include "support/runs.h"
 #include "support/sha256.h"
+#include "support/single_stage.h"
 #include "support/statistics.h"
 #include "support/table.h"
 
@@ -207,4 +210,28 @@ TEST_CASE("an axis with ticks of its own shows these, those within, and no other
   CHECK(svg.find(">&lt;four><") != std::string::npos);
   CHECK(svg.find("beyond") == std::string::npos);
   CHECK(svg.find(">10<") == std::string::npos);  // a round number that y does not reach
+}
+
+TEST_CASE("single stage: the same criteria on Del S") {
+  const OpenedDataset opened = open_builtin("builtin:torus:24");
+  const paper::Options options = published_options(opened);
+  const PublishedRuns two = run_once(opened, options);
+  const PublishedRuns one = run_once(opened, options, single_stage_deliso);
+  CHECK(one.last().insertions_recover == two.last().insertions_recover);
+  CHECK(one.last().insertions_refine > 1000);
+  CHECK(one.last().searches_refine.searches == 0);
+  CHECK(static_cast<double>(one.mesh.points.size()) ==
+        doctest::Approx(static_cast<double>(two.mesh.points.size())).epsilon(0.1));
+}
+
+TEST_CASE("a search by pairs looks at every voxel that is active, and at some that are not") {
+  const OpenedDataset opened = open_builtin("builtin:torus:24");
+  const paper::Report report = run_once(opened, published_options(opened)).last();
+  const SearchCounters& by_voxels = report.searches_recover;
+  const InsertionCosts costs = measure_insertions(opened, published_options(opened));
+  CHECK(costs.by_pairs.searches == by_voxels.searches);
+  CHECK(costs.by_pairs.searches_with_hit == by_voxels.searches_with_hit);
+  CHECK(costs.by_pairs.computations > 1.1 * static_cast<double>(by_voxels.computations));
+  CHECK(costs.by_pairs.computations < 2.0 * static_cast<double>(by_voxels.computations));
+  CHECK(costs.recover.insertion_seconds > costs.recover.search_seconds / 2);
 }

@@ -166,9 +166,8 @@ paper::Options make_paper_options(ByteSource& source, const Volume& volume) {
   if ((flags & 2) != 0) options.lines = source.next();
   if ((flags & 4) != 0) options.seed = source.next();
   if ((flags & 8) != 0) options.lambda = 1 + 2 * source.share();
-  options.keep_hits = (flags & 16) != 0;
+  options.facet_cycles = (flags & 16) != 0;
   if ((flags & 32) != 0) options.solver = CubicMethod::isolation;
-  options.single_stage = (flags & 64) != 0;
   if ((flags & 128) != 0) {
     const std::uint32_t rare = source.below(4);
     options.stop_after_recover = rare == 0;
@@ -198,10 +197,10 @@ void write_case(const Volume& volume, double isovalue, const paper::Options& o,
   stress::write_nrrd(volume, path);
   std::printf(
       "deliso %s --iso %.17g --paper --rmin %.17g --eps %.17g --eps1 %.17g --eps2 %.17g "
-      "--lambda %.17g --lines %zu --seed %llu --max-vertices %zu%s%s%s%s --check\n",
+      "--lambda %.17g --lines %zu --seed %llu --max-vertices %zu%s%s%s --check\n",
       path.c_str(), isovalue, o.r_min, o.epsilon, o.epsilon1, o.epsilon2, o.lambda, o.lines,
-      static_cast<unsigned long long>(o.seed), o.max_vertices, o.keep_hits ? " --keep-hits" : "",
-      o.single_stage ? " --single-stage" : "", o.stop_after_recover ? " --stop-after stage1" : "",
+      static_cast<unsigned long long>(o.seed), o.max_vertices,
+      o.facet_cycles ? " --facet-cycles" : "", o.stop_after_recover ? " --stop-after stage1" : "",
       o.solver == CubicMethod::isolation ? " --solver isolation" : "");
   std::fflush(stdout);
 }

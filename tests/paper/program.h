@@ -131,7 +131,7 @@ inline FacetHits searched_hits(const paper::RestrictedDelaunay& del, double r_mi
     surface.intersect({edge.at(t.lo), edge.at(t.hi)}, hits, counters);
     std::vector<Vec3> x;
     for (const Hit& hit : hits) {
-      if (!x.empty() && distance(x.back(), hit.point) < r_min) {
+      if (!x.empty() && distance(x.back(), hit.point) < paper::Options::kClosest * r_min) {
         x.pop_back();
       } else {
         x.push_back(hit.point);

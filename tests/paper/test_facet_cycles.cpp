@@ -93,7 +93,7 @@ TEST_CASE("Recover leaves no facet cycle") {
     SearchCounters counters;
     for (SiteId q = 1; q < program.del().del().vertex_capacity(); ++q) {
       if (program.del().is_auxiliary(q)) continue;
-      const double least = options.closest() * program.report.r_min;
+      const double least = Options::kClosest * program.report.r_min;
       CHECK_FALSE(paper::facet_cycle(program.del(), q, least, counters));
     }
   }

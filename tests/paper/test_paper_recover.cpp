@@ -419,54 +419,30 @@ TEST_CASE("the last ExtractManifold mends what ApproximateGeom left") {
   CHECK(needed > 0);
 }
 
-TEST_CASE("single stage: a new vertex has the mean pole height of its neighbors") {
-  // Follows the pole heights by itself, and holds the worst violation against them.
-  struct Poles : paper::Observer {
+TEST_CASE(
+    "ApproximateGeom asks for a point of a facet that is too large for its poles, if told these") {
+  constexpr double kHeight = 0.15;
+  // Holds the worst violation against pole heights that are all alike.
+  struct AllAlike : paper::Observer {
     const RestrictedDelaunay* del = nullptr;
-    std::vector<double> heights;  // by site; NaN: its facets were no disk
-    std::size_t compared = 0, by_poles = 0;
+    std::size_t by_poles = 0;
     double r_min = 0;
 
-    void site_added(SiteId v) override {
-      std::vector<Facet> star;
-      del->star(v, star);
-      std::set<SiteId> neighbors;
-      for (const Facet f : star) {
-        for (const SiteId q : facet_vertices(del->del(), f)) {
-          if (q != v) neighbors.insert(q);
-        }
-      }
-      double sum = 0;
-      for (const SiteId q : neighbors) sum += heights[q];
-      const bool is_disk = star.size() == neighbors.size() && star.size() > 2;
-      heights.push_back(is_disk ? sum / static_cast<double>(neighbors.size())
-                                : std::numeric_limits<double>::quiet_NaN());
-    }
     void asks(Reason reason, Facet sigma, SiteId, double value, const Vec3& x) override {
-      if (step_of(reason) != Step::approximate_geom) return;
       const SiteTriangle v = facet_vertices(del->del(), sigma);
-      const double h_sigma = (heights[v[0]] + heights[v[1]] + heights[v[2]]) / 3;
-      if (std::isnan(h_sigma)) return;
-      ++compared;
       const auto at = [&](std::size_t i) { return del->del().point(v[i]); };
-      const double r = distance(at(0), circumcenter(at(0), at(1), at(2)));
       const double shape = violation(at(0), at(1), at(2), x, 0.1, 2, r_min);
-      CHECK(value == doctest::Approx(std::max(shape, r / h_sigma / 0.2)));
-      CHECK((reason == Reason::r_over_pole) == (r / h_sigma / 0.2 > shape));
+      const double by_height = distance(x, at(0)) / kHeight / 0.2;
+      CHECK(value == doctest::Approx(std::max(shape, by_height)));
+      CHECK((reason == Reason::r_over_pole) == (by_height > shape));
       by_poles += reason == Reason::r_over_pole;
     }
   } poles;
   Program program(builtin("torus", 24), few_vertices());
   program.recovery.recover();
-  const std::size_t before = program.report.insertions_recover;
   poles.del = &program.del();
   poles.r_min = program.report.r_min;
-  poles.heights = paper::compute_poles(program.del().del(), program.sigma);
-  const std::vector<double> given = poles.heights;
   program.options.observer = &poles;
-  program.recovery.refine(given);
-  CHECK(program.report.insertions_recover == before);
-  CHECK(program.report.insertions_refine == poles.heights.size() - given.size());
-  CHECK(poles.compared > 1000);
+  program.recovery.approximate_geom(0.1, [](const SiteTriangle&) { return kHeight; });
   CHECK(poles.by_poles > 100);
 }

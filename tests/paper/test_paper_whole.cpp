@@ -164,40 +164,6 @@ TEST_CASE("one seed gives one mesh, to the last bit; another seed another") {
   CHECK(first.points != other.points);
 }
 
-TEST_CASE("kept hits save searches and change no mesh") {
-  for (const char* name : {"torus", "gyroid"}) {
-    CAPTURE(std::string(name));
-    const Field field = builtin(name, 24);
-    Options options = few_vertices();
-    TriMesh searched, kept;
-    const Report all = ran(field, options, searched);
-    options.keep_hits = true;
-    const Report fewer = ran(field, options, kept);
-    REQUIRE(searched.points.size() == kept.points.size());
-    for (VertexId v = 0; v < kept.points.size(); ++v) {
-      CHECK(distance(searched.points[v], kept.points[v]) < 1e-9);
-    }
-    CHECK(searched.triangles() == kept.triangles());
-    CHECK(4 * fewer.searches_recover.searches < 3 * all.searches_recover.searches);
-  }
-}
-
-TEST_CASE("single stage: the same criteria on Del S") {
-  const Field field = builtin("torus", 24);
-  Options options = few_vertices();
-  TriMesh two_stages, one_stage;
-  const Report two = ran(field, options, two_stages);
-  options.single_stage = true;
-  const Report one = ran(field, options, one_stage);
-  CHECK(check_whole(field, one_stage, one).share() == 1);
-  CHECK(one.insertions_recover == two.insertions_recover);
-  CHECK(one.insertions_refine > 1000);
-  CHECK(one.searches_refine.searches == 0);
-  CHECK(one.searches_recover.searches > two.searches_recover.searches);
-  const double vertices = static_cast<double>(one_stage.points.size());
-  CHECK(vertices == doctest::Approx(static_cast<double>(two_stages.points.size())).epsilon(0.1));
-}
-
 TEST_CASE("a run stops after Recover; its stages are named, its steps told") {
   const Field field = builtin("fuel", 24);
   Options options = few_vertices();
@@ -227,8 +193,6 @@ TEST_CASE("the published parameters") {
   CHECK(options.lambda == 2);
   CHECK(options.r_min == 0.001);
   CHECK(options.solver == CubicMethod::schwarze);
-  CHECK(!options.keep_hits);
-  CHECK(!options.single_stage);
 }
 
 TEST_CASE("more vertices than asked for are an error, in either stage and in S_0") {

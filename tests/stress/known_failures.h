@@ -23,8 +23,6 @@ struct KnownFailure {
 };
 
 inline constexpr KnownFailure kKnownFailures[] = {
-    {7180, true, "broken: I4: 3 facets share the edge",
-     "--paper --single-stage: an edge of three facets, though every vertex has its disk"},
     {21037, false, "slow: ", "--triangles 8: refined and coarsened for 1.5 s, the whole for .07 s"},
     {21279, false, "slow: ", "--vertices 5: refined and coarsened for 6 s, the whole for .05 s"},
 };

@@ -302,15 +302,10 @@ TEST_CASE("the exact program begins with T, on the surface and of its topology, 
   }
 }
 
-TEST_CASE("the published program in one stage, or without Refine, ends with its mesh too") {
+TEST_CASE("the published program without Refine, or with facet cycles, ends with its mesh too") {
   const Scene scene = wave_scene(1, 10);
-  paper::Options options{.r_min = 0.05};
-  options.single_stage = true;
-  const Traced single = traced(scene, options);
-  check_replay(single);
-  CHECK(single.published.insertions_refine > 0);
-  options.stop_after_recover = true;
-  check_replay(traced(scene, options));
+  check_replay(traced(scene, paper::Options{.r_min = 0.05, .stop_after_recover = true}));
+  check_replay(traced(scene, paper::Options{.r_min = 0.05, .facet_cycles = true}));
 }
 
 TEST_CASE("the worst distance of the mesh after every event, by brute force") {
@@ -623,17 +618,15 @@ TEST_CASE("a traced run is the run without, and the same with any number of thre
 
 TEST_CASE("a traced run of the published program is the run without") {
   const Scene scene = wave_scene(5, 10);
-  for (const bool keep_hits : {false, true}) {
-    paper::Options options{.r_min = 0.05, .keep_hits = keep_hits};
-    paper::Report report;
-    const TriMesh plain = paper::deliso(scene.volume, scene.surface.kappa(), options, report);
-    const Traced run = traced(scene, options);
-    check_replay(run);
-    CHECK(test::same_mesh(run.mesh, plain));
-    CHECK(run.published.searches_recover.searches == report.searches_recover.searches);
-    CHECK(run.published.searches_refine.searches == report.searches_refine.searches);
-    CHECK(run.published.not_a_disk == report.not_a_disk);
-  }
+  const paper::Options options{.r_min = 0.05};
+  paper::Report report;
+  const TriMesh plain = paper::deliso(scene.volume, scene.surface.kappa(), options, report);
+  const Traced run = traced(scene, options);
+  check_replay(run);
+  CHECK(test::same_mesh(run.mesh, plain));
+  CHECK(run.published.searches_recover.searches == report.searches_recover.searches);
+  CHECK(run.published.searches_refine.searches == report.searches_refine.searches);
+  CHECK(run.published.not_a_disk == report.not_a_disk);
 }
 
 TEST_CASE("refused attempts show what they would have done, and by which gate") {

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "support/pair_searches.h"
+
+#include "isosurface/lattice_line.h"
+
+namespace deliso {
+namespace {
+
+std::size_t number_of(const Volume& volume, Index3 voxel) {
+  const auto columns = static_cast<std::size_t>(volume.voxels().i);
+  const auto rows = static_cast<std::size_t>(volume.voxels().j);
+  return static_cast<std::size_t>(voxel.i) +
+         columns * (static_cast<std::size_t>(voxel.j) + rows * static_cast<std::size_t>(voxel.k));
+}
+
+}  // namespace
+
+PairSearches::PairSearches(const Volume& volume, double kappa) : volume_(volume) {
+  const Index3 n = volume.voxels();
+  is_active_.resize(number_of(volume, {0, 0, n.k}));
+  split({{0, 0, 0}, {n.i, n.j, n.k}}, kappa);
+}
+
+void PairSearches::split(const Node& node, double kappa) {
+  const auto side = [&](std::size_t axis) { return node.hi[axis] - node.lo[axis]; };
+  if (side(0) * side(1) * side(2) > 2) {
+    std::size_t axis = 0;
+    for (const std::size_t other : {1u, 2u}) {
+      if (side(other) > side(axis)) axis = other;
+    }
+    Node low = node, high = node;
+    low.hi[axis] = high.lo[axis] = (node.lo[axis] + node.hi[axis]) / 2;
+    split(low, kappa);
+    split(high, kappa);
+    return;
+  }
+  bool has_inside = false, has_outside = false;
+  Index3 p;
+  for (p.k = node.lo[2]; p.k <= node.hi[2]; ++p.k) {
+    for (p.j = node.lo[1]; p.j <= node.hi[1]; ++p.j) {
+      for (p.i = node.lo[0]; p.i <= node.hi[0]; ++p.i) {
+        (volume_.sample(p.i, p.j, p.k) >= kappa ? has_inside : has_outside) = true;
+      }
+    }
+  }
+  const Index3 first{node.lo[0], node.lo[1], node.lo[2]};
+  const Index3 last{node.hi[0] - 1, node.hi[1] - 1, node.hi[2] - 1};
+  for (const Index3& voxel : {first, last}) {
+    is_active_[number_of(volume_, voxel)] = has_inside && has_outside;
+  }
+}
+
+void PairSearches::count(const Segment& r, bool found) {
+  const VoxelUnits units(volume_);
+  const LatticeLine line = units.line(r.a, r.direction());
+  const Range range = line.clip({0, 1});
+  std::size_t crossed = 0;
+  if (range.lo < range.hi) {
+    const Index3 first = line.voxel_after(range.lo, units.box());
+    for (VoxelWalk walk(line, first, range); !walk.done(); walk.step()) {
+      crossed += is_active_[number_of(volume_, walk.voxel())];
+    }
+  }
+  counters_ += {1, found, crossed, found ? crossed : 0};
+}
+
+}  // namespace deliso
