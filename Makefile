@@ -169,7 +169,7 @@ mutants: doctest
 COVERAGE_BUILD = $(BUILD)-coverage
 .PHONY: coverage
 coverage: doctest
-	@$(CONFIGURE) -B $(COVERAGE_BUILD) -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS='--coverage -O1' \
+	@$(CONFIGURE) -B $(COVERAGE_BUILD) -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS='--coverage -O1 -fno-inline' \
 	  -DCMAKE_CXX_FLAGS_DEBUG= -DDELISO_BUILD_TESTS=ON -DDELISO_BUILD_BENCH=OFF >/dev/null
 	@cmake --build $(COVERAGE_BUILD) -j $(JOBS) --target quick_tests
 	@find $(COVERAGE_BUILD) -name '*.gcda' -delete

@@ -439,7 +439,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
     result.voronoi = count_voronoi_edges(as_given, surface, threads);
   }
   result.seconds_delaunay += watch.restart();
-  if (result.from_surface.given_up > 0) {
+  if (result.from_surface.given_up > 0) {  // unreachable: quick tests are too small
     faults.add(FaultKind::not_measured,
                text("distances of ", result.from_surface.given_up,
                     " points of the surface: too many triangles lie across each other"),

@@ -93,7 +93,7 @@ void BoxCaps::triangulate(FaceCap& cap) {
   }
   unsigned corner = 0;  // vertex 0 of the plane
   if (cap.number % 2 != 0) corner |= 1u << cap.across;
-  if (!mark_inside(*cap.plane, corner_inside_[corner])) {
+  if (!mark_inside(*cap.plane, corner_inside_[corner])) {  // unreachable: by our own meshes
     failure_ = text("the boundary of the mesh does not part inside from outside on face ",
                     cap.number, " of the box");
   }

@@ -36,7 +36,7 @@ void close_on_box(SurfaceMesh& s, const std::array<bool, 8>& inside, const Given
   mesh.points.insert(mesh.points.end(), caps.new_points().begin(), caps.new_points().end());
   for (const Triangle& t : triangles) mesh.faces.push_back({t, {kNoId, kNoId, kNoId}});
   const LinkResult links = link_faces(mesh);
-  if (links.boundary_edges + links.non_manifold_edges > 0) {
+  if (links.boundary_edges + links.non_manifold_edges > 0) {  // unreachable: by our own meshes
     result.failure = text(links.boundary_edges, " edges stay open, ", links.non_manifold_edges,
                           " are no manifold");
   }

@@ -64,7 +64,7 @@ struct Region {
 
 Dissolved dissolve_others(const Volume& volume, double kappa, const ComponentChoice& choice) {
   const Index3 dims = volume.dims();
-  if (volume.sample_count() >= kNoId) {
+  if (volume.sample_count() >= kNoId) {  // unreachable: in 4 GB
     throw InputError("--min-component and --largest with --cap are for less than 2^32 samples");
   }
   DisjointSets joined = regions_of_samples(volume, kappa);

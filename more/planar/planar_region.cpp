@@ -86,7 +86,7 @@ void RegionRefiner::enqueue_if_bad(FaceId t) {
   const double shortest2 = std::min({distance2(a, b), distance2(b, c), distance2(c, a)});
   const double r2 = distance2(circumcenter(a, b, c), a), ratio2 = r2 / shortest2;
   if (ratio2 <= lambda2_) return;
-  if (r2 < min_radius2_) {
+  if (r2 < min_radius2_) {  // unreachable: by loops of our own meshes
     ++refused_;
     return;
   }
@@ -127,7 +127,7 @@ void RegionRefiner::run(std::vector<std::pair<VertexId, VertexId>>& sides) {
 void RegionRefiner::refine(const Bad& bad) {
   const Vec2 p = circumcenter(triangulation_.point(bad.v[0]), triangulation_.point(bad.v[1]),
                               triangulation_.point(bad.v[2]));
-  if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
+  if (!std::isfinite(p.x) || !std::isfinite(p.y)) {  // unreachable: r is finite
     ++refused_;
     return;
   }

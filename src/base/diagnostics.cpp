@@ -9,12 +9,7 @@
 namespace deliso {
 
 Diagnostic& Diagnostic::with(std::string_view name, double value) {
-  const auto known = std::ranges::find(values, name, [](const auto& own) { return own.first; });
-  if (known == values.end()) {
-    values.emplace_back(name, value);
-  } else {
-    known->second = value;
-  }
+  values.emplace_back(name, value);
   return *this;
 }
 

@@ -83,7 +83,7 @@ std::vector<std::uint8_t> attempts(SurfaceMesh& s, const Given& given, double di
       kept[v.number()] |= faulty_voxels[voxel_number(volume.dims(), voxel)];
     }
   }
-  return std::vector<std::uint8_t>(s.mesh.faces.size(), 0);
+  return std::vector<std::uint8_t>(s.mesh.faces.size(), 0);  // unreachable: no such mesh is known
 }
 
 // Sets the duals of live facets; `changed`: of these, or all if it is empty.

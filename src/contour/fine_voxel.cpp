@@ -201,7 +201,7 @@ bool FineVoxel::agrees_with(const VoxelLoops& loops, Tube tube) {
     if (!is_crossed(s)) continue;
     const Slot r = piece(s);
     if (std::find(root.begin(), root.begin() + loops.count, r) == root.begin() + loops.count) {
-      return false;
+      return false;  // unreachable: pieces end in loops
     }
     euler_[r] += next_[s] != kNoId ? 2 - 1 : 2;
   }

@@ -51,7 +51,7 @@ void Triangulation::begin_search() const {
   constexpr std::uint32_t kMaxMark = std::numeric_limits<std::uint32_t>::max() - 3;
   if (in_conflict_ >= kMaxMark) {
     std::fill(marks_.begin(), marks_.end(), 0);
-    in_conflict_ = 0;
+    in_conflict_ = 0;  // unreachable: after 2^31 searches
   }
   in_conflict_ += 2;
 }
@@ -139,7 +139,7 @@ void Triangulation::allocate_cells(std::size_t count, std::vector<CellId>& taken
 void Triangulation::link_by_table(const ConflictZone& zone, const std::vector<CellId>& created) {
   if (first_rank_ > std::numeric_limits<std::uint32_t>::max() - kTableVertices) {
     std::fill(ranks_.begin(), ranks_.end(), 0);
-    first_rank_ = 1;
+    first_rank_ = 1;  // unreachable: after 2^32 ranks
   }
   const std::uint32_t first_rank = first_rank_;
   std::uint32_t next_rank = first_rank;

@@ -88,6 +88,12 @@ TEST_CASE("parts make the mesh and the counts of one process, and forged ones ar
   CHECK(joined.counters == one.counters);
   CHECK(joined.insertions_refine == one.insertions_refine);
   CHECK(one[Counter::components_skipped] > 0);
+  Options few = options;
+  few.max_vertices = whole.points.size() - 1;
+  CHECK_THROWS_AS(mesh_of_parts(source, 127, few, parts, joined), InputError);
+  few = options;
+  few.target_vertices = 100;
+  CHECK_THROWS_AS(mesh_part(source, 127, few, {1, 3}), InputError);
 
   options.stop_after_stage1 = true;  // no work at seams
   const auto refuses = [&](bool of_seam, auto&& forge) {

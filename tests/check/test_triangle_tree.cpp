@@ -62,6 +62,22 @@ TEST_CASE("the nearest triangle is as near as any") {
   }
 }
 
+TEST_CASE("a tree of several tasks is the same on any number of threads") {
+  const SquareMesh grid(200);  // of 80,000 triangles
+  const TriangleTree one(grid.points, grid.triangles), two(grid.points, grid.triangles, 2);
+  REQUIRE(one.leaf_count() > 1u << 13);
+  for (std::size_t n = 0; n < one.leaf_count(); ++n) {
+    REQUIRE(std::ranges::equal(one.leaf(n), two.leaf(n)));
+  }
+  Random random(5);
+  for (int n = 0; n < 20; ++n) {
+    const Vec3 p{random.uniform(0, 200), random.uniform(0, 200), random.uniform(-3, 3)};
+    double least = one.distance2(0, p);
+    for (FaceId f = 1; f < grid.triangles.size(); ++f) least = std::min(least, one.distance2(f, p));
+    CHECK(two.nearest(p).distance2 == least);
+  }
+}
+
 // Points near the mesh are found by the triangles around which they are, the others by the tree.
 TEST_CASE("nearest triangles of points near and far are those of brute force") {
   const SquareMesh grid(8);

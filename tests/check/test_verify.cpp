@@ -566,6 +566,13 @@ TEST_CASE("a solid is sound, and one fault in its caps is reported as one fault"
   Vec3& corner = p.points.back();
   corner = corner + 0.01 * (0.5 * (volume.box().lo + volume.box().hi) - corner);
   CHECK(run(p).faults.any());
+
+  // Another one beyond its neighbors in the cap: caps cross each other.
+  p = good;
+  p.points.back() = 2 * p.points[p.triangles.back()[0]] - p.points[p.triangles.back()[1]];
+  const Verification crossed = run(p);
+  CHECK(crossed.faults.any());
+  CHECK(crossed.solid->self_intersections > 0);
 }
 
 // A component may be missing if it is smaller than asked for, and only then.

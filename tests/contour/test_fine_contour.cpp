@@ -22,7 +22,8 @@ struct Noise {
   double kappa;
 };
 
-// Pure noise; every third volume has only a few values, every fifth long voxels.
+// Pure noise; every third volume has only a few values, every fifth long voxels, every
+// seventh uneven steps.
 Noise random_noise(std::uint64_t seed) {
   Random random(seed);
   const auto side = [&] { return 3 + static_cast<int>(random.below(5)); };
@@ -37,6 +38,11 @@ Noise random_noise(std::uint64_t seed) {
   Vec3 spacing{1, 1, 1};
   if (seed % 5 == 0) spacing[static_cast<int>(random.below(3))] = random.uniform(1, 8);
   Volume volume = Volume::from_samples(dims, spacing, samples);
+  if (seed % 7 == 0) {
+    Coordinates places;
+    for (int k = 0; k < dims.k; ++k) places[2].push_back(k + 0.05 * k * k);
+    volume = volume.with_places(places, "noise");
+  }
   const double kappa = geometric_isovalue(volume.type(), 0.5 * levels - 0.5 * random.below(2));
   return {std::move(volume), kappa};
 }

@@ -4,7 +4,10 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
 #include <vector>
+
+#include "base/check.h"
 
 using namespace deliso;
 
@@ -31,4 +34,24 @@ TEST_CASE("the limits of Stage 2 are those of the options") {
   CHECK(p.refinement[Criterion::radius] == doctest::Approx(0.1));
   CHECK(p.r_min == 0.5);
   CHECK(p.refinement.r_min == 0.5);
+}
+
+TEST_CASE("limits below which refinement would not end are refused") {
+  const auto refusal = [](const Options& options) {
+    try {
+      require_limits(options, small_long_voxels());
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  Options options;
+  CHECK(refusal(options) == "");
+  options.limits[Criterion::r_over_l].value = 0.9;
+  CHECK(refusal(options) == "the limit r/l must be at least 1, or refinement would not end");
+  options = {};
+  options.r_min = {1e-9, Length::Unit::voxel};
+  CHECK(refusal(options) ==
+        "r_min (--rmin) is 1e-09 voxels, and must be at least 0.001: at creases refinement would "
+        "hardly end");
 }

@@ -397,3 +397,31 @@ TEST_CASE("no saddle of a face of 8-bit samples lies at the isovalue of the geom
   }
   CHECK(tied > 1000);
 }
+
+TEST_CASE(
+    "a grid without samples, too far away or in a skew frame is refused, and a wrong number of "
+    "samples") {
+  const auto message = [](auto&& make) {
+    try {
+      make();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto framed = [&](Index3 dims, const Frame& frame) {
+    return message([&] { Grid(dims, {1, 1, 1}, SampleType::u8, frame); });
+  };
+  Frame frame;
+  CHECK(framed({2, 3, 4}, frame) == "");
+  CHECK(framed({2, 0, 4}, frame) == "volume: has 0 samples along y");
+  frame.axes[1] = {0, 2, 0};
+  CHECK(framed({2, 3, 4}, frame) == "volume: an axis of its frame is no unit vector");
+  frame = {};
+  frame.origin = {0, 0, 1e31};
+  CHECK(framed({2, 3, 4}, frame).starts_with("volume: its origin is further than "));
+  const std::vector<float> few(7);
+  CHECK(message([&] {
+          Volume::from_samples({2, 2, 2}, {1, 1, 1}, few);
+        }) == "a volume of 2 x 2 x 2 samples is given 7");
+}

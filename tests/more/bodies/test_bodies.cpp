@@ -153,6 +153,9 @@ TEST_CASE("a number of vertices is met from below, caps left out") {
   options.max_vertices = 20;
   CHECK_THROWS_WITH(mesh_interfaces(quarters(), options, report),
                     "more than --max-vertices 20 vertices needed");
+  options.stop_after_stage1 = true;
+  CHECK_THROWS_WITH(mesh_interfaces(quarters(), options, report),
+                    "more than --max-vertices 20 vertices needed");
 }
 
 TEST_CASE("a point belongs to the body with the largest field, and ties to the smaller number") {
