@@ -21,8 +21,8 @@ struct SurfaceMesh;
 struct Report;
 
 // Why a point shall be inserted: what MultiIntersect and ExtractManifold look for, the latter away
-// from the boundary curves and on them, and the criteria of ApproximateGeom and RefineGeom. Then
-// the conditions C1 to C4 of the certified Stage 1, and that a facet has an area.
+// from the boundary curves and on them, and the criteria of ApproximateGeom and RefineGeom; a facet
+// cycle. Then the conditions C1 to C4 of the certified Stage 1, and that a facet has an area.
 enum class Reason : std::uint8_t {
   several_hits,
   not_a_disk,
@@ -30,6 +30,7 @@ enum class Reason : std::uint8_t {
   h_over_r,
   r_over_l,
   r_over_pole,  // height
+  facet_cycle,
   region,
   interface,
   triple,
@@ -44,7 +45,8 @@ class Observer : public StageObserver {
   // Stage 1. Del S_0|Sigma is known; both follow the run.
   virtual void sample_ready(const RestrictedDelaunay&, const Report&) {}
   // A hit x of the facet shall be inserted: it has `value` hits, or D_q of a vertex q has `value`
-  // facets, or it is `value` times over a criterion's limit. The insertion or a refusal follows.
+  // facets, or it is `value` times over a criterion's limit. For an empty D_q and a facet cycle x
+  // is no hit, and the facet any at q. The insertion or a refusal follows.
   virtual void asks(Reason, Facet, SiteId /*q*/, double /*value*/, const Vec3& /*x*/) {}
   virtual void insertion_begins(const Vec3&, const ConflictZone&) {}
   virtual void site_added(SiteId) {}

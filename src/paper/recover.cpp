@@ -114,11 +114,19 @@ void Recovery::extract_manifold() {
 void Recovery::insert_without_hit(SiteId q) {
   if (del_.is_auxiliary(q)) return;
   std::optional<Vec3> x;
+  Reason reason = Reason::not_a_disk;
   if (star_.empty()) x = point_beside(q);
   if (!x && options_.facet_cycles) {
     x = facet_cycle(del_, q, Options::kClosest * report_.r_min, report_.searches_recover);
+    reason = Reason::facet_cycle;
   }
-  if (x && insert({del_.del().incident_cell(q), 0}, *x)) queue(q);
+  if (!x) return;
+  const CellId cell = del_.del().incident_cell(q);
+  const Facet at_q{cell, del_.del().vertex(cell, 0) == q ? 1 : 0};
+  if (options_.observer) {
+    options_.observer->asks(reason, at_q, q, static_cast<double>(star_.size()), *x);
+  }
+  if (insert(at_q, *x)) queue(q);
 }
 
 std::optional<Vec3> Recovery::point_beside(SiteId q) {

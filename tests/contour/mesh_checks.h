@@ -158,9 +158,9 @@ inline std::string check_loops(const ContourMesh& mesh, const Volume& volume) {
       if ((mesh.box_faces[v] & mesh.box_faces[w] & 1 << loop[n].face) == 0)
         return name + " leaves its face";
       for (int axis = 0; axis < 3; ++axis) {
-        const double s = volume.spacing()[axis];
-        const double low = std::min(mesh.points[v][axis], mesh.points[w][axis]) / s;
-        const double high = std::max(mesh.points[v][axis], mesh.points[w][axis]) / s;
+        const double at_v = volume.in_all_samples(mesh.points[v])[axis];
+        const double at_w = volume.in_all_samples(mesh.points[w])[axis];
+        const double low = std::min(at_v, at_w), high = std::max(at_v, at_w);
         if (high > std::floor(low + 1e-9) + 1 + 1e-9) return name + " spans more than a pixel";
       }
       const bool on_edge = (mesh.box_faces[v] & (mesh.box_faces[v] - 1)) != 0;

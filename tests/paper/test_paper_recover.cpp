@@ -80,6 +80,7 @@ Step step_of(Reason reason) {
       return Step::multi_intersect;
     case Reason::not_a_disk:
     case Reason::not_a_half_disk:
+    case Reason::facet_cycle:
       return Step::extract_manifold;
     default:
       return Step::approximate_geom;
@@ -100,7 +101,8 @@ class Watch : public paper::Observer {
     epsilon_ = epsilon;
   }
 
-  std::size_t asked = 0, split = 0, at_curve = 0, vertex_there = 0, half_disks_asked = 0;
+  std::size_t asked = 0, split = 0, at_curve = 0, vertex_there = 0, half_disks_asked = 0,
+              empty_asked = 0;
   std::vector<Step> steps;      // without repetitions
   std::set<SiteId> refused_at;  // vertices whose last question was refused
 
@@ -140,10 +142,16 @@ class Watch : public paper::Observer {
         }
       });
       CHECK(!is_good(q, d_q, t, curves));
-      CHECK((reason == Reason::not_a_half_disk) == !curves.neighbors(t.point(q)).empty());
       refused_at.erase(q);
       CHECK(value == d_q.size());
-      CHECK(distance(x, t.point(q)) == from_q);
+      if (d_q.empty()) {
+        ++empty_asked;
+        CHECK(reason == Reason::not_a_disk);
+        CHECK(std::fabs(volume_.value(x) - kappa_) < 1e-6);
+      } else {
+        CHECK((reason == Reason::not_a_half_disk) == !curves.neighbors(t.point(q)).empty());
+        CHECK(distance(x, t.point(q)) == from_q);
+      }
       half_disks_asked += classify_star(VertexId(q.number()), d_q) == Star::half_disk;
     }
     x_ = x;
@@ -421,18 +429,18 @@ TEST_CASE("the last ExtractManifold mends what ApproximateGeom left") {
 
 TEST_CASE(
     "ApproximateGeom asks for a point of a facet that is too large for its poles, if told these") {
-  constexpr double kHeight = 0.15;
   // Holds the worst violation against pole heights that are all alike.
   struct AllAlike : paper::Observer {
     const RestrictedDelaunay* del = nullptr;
     std::size_t by_poles = 0;
-    double r_min = 0;
+    double r_min = 0, height = 0;
 
     void asks(Reason reason, Facet sigma, SiteId, double value, const Vec3& x) override {
       const SiteTriangle v = facet_vertices(del->del(), sigma);
       const auto at = [&](std::size_t i) { return del->del().point(v[i]); };
       const double shape = violation(at(0), at(1), at(2), x, 0.1, 2, r_min);
-      const double by_height = distance(x, at(0)) / kHeight / 0.2;
+      const double r = distance(circumcenter(at(0), at(1), at(2)), at(0));
+      const double by_height = r / height / 0.2;
       CHECK(value == doctest::Approx(std::max(shape, by_height)));
       CHECK((reason == Reason::r_over_pole) == (by_height > shape));
       by_poles += reason == Reason::r_over_pole;
@@ -443,6 +451,7 @@ TEST_CASE(
   poles.del = &program.del();
   poles.r_min = program.report.r_min;
   program.options.observer = &poles;
-  program.recovery.approximate_geom(0.1, [](const SiteTriangle&) { return kHeight; });
+  poles.height = 4 * program.volume.voxel();
+  program.recovery.approximate_geom(0.1, [&](const SiteTriangle&) { return poles.height; });
   CHECK(poles.by_poles > 100);
 }

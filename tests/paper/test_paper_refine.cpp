@@ -317,7 +317,8 @@ TEST_CASE("RefineGeom: E by a walk, D the cone, until no facet violates a criter
   const Case cases[] = {{"torus", builtin("torus", 32), 0.001, 0.2},
                         {"gyroid", builtin("gyroid", 16), 0.05, 0.2},
                         {"noise", noise(4, 9), 0.03, 0.2},
-                        {"noise, switched early", noise(4, 9), 0.03, 1e9}};
+                        {"noise, switched early", noise(3, 9), 0.03, 1e9},
+                        {"noise, again", noise(4, 9), 0.03, 1e9}};
   std::size_t asked = 0, at_curve = 0, not_a_disk = 0, near = 0, larger = 0;
   for (const Case& of : cases) {
     CAPTURE(of.name);

@@ -48,7 +48,7 @@ TEST_CASE("limits below which refinement would not end are refused") {
   Options options;
   CHECK(refusal(options) == "");
   options.limits[Criterion::r_over_l].value = 0.9;
-  CHECK(refusal(options) == "the limit r/l must be at least 1, or refinement would not end");
+  CHECK(refusal(options) == "the limit lambda must be at least 1, or refinement would not end");
   options = {};
   options.r_min = {1e-9, Length::Unit::voxel};
   CHECK(refusal(options) ==

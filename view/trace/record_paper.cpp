@@ -23,6 +23,7 @@ constexpr Codes kCodes[] = {{Routine::multi_intersect, trace_code(PaperReason::s
                             {Routine::approximate_geom, trace_code(Criterion::h_over_r)},
                             {Routine::approximate_geom, trace_code(Criterion::r_over_l)},
                             {Routine::approximate_geom, trace_code(PaperReason::r_over_pole)},
+                            {Routine::extract_manifold, trace_code(PaperReason::facet_cycle)},
                             {Routine::certify, trace_code(PaperReason::region)},
                             {Routine::certify, trace_code(PaperReason::interface)},
                             {Routine::certify, trace_code(PaperReason::triple)},
@@ -88,12 +89,14 @@ void PaperRecorder::asks(paper::Reason reason, Facet sigma, SiteId q, double val
     for (const Facet f : d_q) event.star.push_back(number(f));
   }
   event.place = x;
-  event.ball = {x, distance(x, t.point(corners[0]))};
+  event.ball = {x, distance(x, t.point(q != kNoId ? q : corners[0]))};
+  const std::span<const Hit> hits = del_->hits(sigma);
+  if (std::ranges::none_of(hits, [&](const Hit& h) { return h.point == x; })) return;
   const FacetDual dual = facet_dual(t, sigma);
   const Range range =
       clip(dual.center, dual.normal, {dual.t_lo, dual.t_hi}, del_->sigma().volume().box());
   event.edge = {dual.at(range.lo), dual.at(range.hi)};
-  for (const Hit& hit : del_->hits(sigma)) event.hits.push_back(hit.point);
+  for (const Hit& hit : hits) event.hits.push_back(hit.point);
 }
 
 void PaperRecorder::labels_ready(const Labels& labels, const Box3& domain,

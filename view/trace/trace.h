@@ -52,6 +52,7 @@ enum class PaperReason : std::uint8_t {
   no_disk,
   no_half_disk,
   r_over_pole,
+  facet_cycle,
   region,
   interface,
   triple,

@@ -86,7 +86,8 @@ ReasonName name_of(PaperReason reason) {
           {PaperReason::several_hits,
            {"several hits", "the Voronoi edge meets the surface more than once; value: how often"}},
           {PaperReason::no_disk,
-           {"no disk", "a vertex whose facets are no disk; value: facets in D_q"}},
+           {"no disk",
+            "a vertex whose facets are no disk, or that has none; value: facets in D_q"}},
           {PaperReason::no_half_disk,
            {"no half disk",
             "a vertex of a boundary curve whose facets are no half disk that ends at its neighbors "
@@ -94,6 +95,10 @@ ReasonName name_of(PaperReason reason) {
           {PaperReason::r_over_pole,
            {"r/pole",
             "r over the pole height is over its limit, that of --eps2; value: times the limit"}},
+          {PaperReason::facet_cycle,
+           {"facet cycle",
+            "the surface meets a Voronoi facet of a vertex in a closed curve; value: facets in "
+            "D_q"}},
           {PaperReason::region,
            {"region",
             "C1: the site's region on T is no disk; value: distance of the vertex inserted "
