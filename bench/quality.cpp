@@ -262,11 +262,11 @@ QualityRun run(const std::string& program, const Arguments& arguments, const Sub
                  subject.name.c_str(), static_cast<int>(turned.turn), ended.status);
     run.measured[Metric::failed] = 1;
   }
-  run.measured[Metric::user_seconds] = ended.user_seconds;
+  run.measured[Metric::cpu_seconds] = ended.cpu_seconds;
   if (!arguments.beside.empty()) {
     words.front() = arguments.beside;
     run.measured[Metric::time_ratio] =
-        ended.user_seconds / run_program(words, arguments.limit).user_seconds;
+        ended.cpu_seconds / run_program(words, arguments.limit).cpu_seconds;
   }
   return run;
 }

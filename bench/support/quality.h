@@ -25,7 +25,7 @@ namespace deliso {
 
 enum class Metric : std::uint8_t {
   vertices,
-  user_seconds,
+  cpu_seconds,
   time_ratio,
   needles,
   needles_above_r_min,
@@ -62,7 +62,8 @@ struct MetricRow {
 // In the order of Metric.
 inline constexpr std::array<MetricRow, kMetrics> kMetricTable{{
     {"vertices", "vertices", 0, Better::less, "vertices of the mesh"},
-    {"user_seconds", "user s", 2, Better::less, "CPU time of the whole program, one thread"},
+    {"cpu_seconds", "CPU s", 2, Better::less,
+     "CPU time of the program and of the system for it, one thread"},
     {"time_ratio", "time", 2, Better::less, "CPU time over that of --beside, run next to it"},
     {"needles", "r/l > 2", 0, Better::less, "triangles with r/l > 2, of any size"},
     {"needles_above_r_min", "r > r_min", 0, Better::less, "those of them with r > r_min"},

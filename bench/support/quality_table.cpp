@@ -74,8 +74,8 @@ std::string cell(const Group& group, std::size_t n) {
 }
 
 constexpr std::array kFirst{
-    Metric::vertices,  Metric::user_seconds, Metric::needles,     Metric::needles_above_r_min,
-    Metric::min_angle, Metric::facets_left,  Metric::facets_over, Metric::failed};
+    Metric::vertices,  Metric::cpu_seconds, Metric::needles,     Metric::needles_above_r_min,
+    Metric::min_angle, Metric::facets_left, Metric::facets_over, Metric::failed};
 constexpr std::array kSecond{Metric::points_left, Metric::points_far,  Metric::mesh_mean,
                              Metric::mesh_999,    Metric::mesh_max,    Metric::surface_mean,
                              Metric::surface_999, Metric::surface_max, Metric::restricted,

@@ -44,9 +44,11 @@ Ended run_program(const std::vector<std::string>& words, unsigned limit) {
   while (wait4(child, &status, 0, &used) < 0) {
     if (errno != EINTR) fail(program);
   }
-  const auto microseconds = static_cast<double>(used.ru_utime.tv_usec);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-          static_cast<double>(used.ru_utime.tv_sec) + 1e-6 * microseconds};
+          seconds(used.ru_utime) + seconds(used.ru_stime)};
 }
 
 }  // namespace deliso

@@ -8,8 +8,8 @@
 namespace deliso {
 
 struct Ended {
-  int status = 0;           // as the program returned it, or 128 + the signal that ended it
-  double user_seconds = 0;  // CPU time, of all its threads
+  int status = 0;          // as the program returned it, or 128 + the signal that ended it
+  double cpu_seconds = 0;  // of all its threads, the system's for it included
 };
 
 // Runs words[0] with the other words as its arguments and waits for its end. It is ended after

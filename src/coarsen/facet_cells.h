@@ -5,6 +5,7 @@
 // coordinates, so boxes that meet still do.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -22,14 +23,20 @@ class FacetCells {
   // Calls visit(f, g) for all two facets whose boxes meet, once or more.
   template <class Visit>
   void for_each_pair(Visit&& visit) const {
+    // Half of the boxes meet, which no branch can guess: these are kept, then visited.
+    std::vector<std::uint32_t> met;
     for (std::size_t list = 0; list + 1 < first_.size(); ++list) {
+      met.resize(std::max<std::size_t>(met.size(), first_[list + 1] - first_[list]));
       for (std::uint32_t n = first_[list] + 1; n < first_[list + 1]; ++n) {
         const std::uint32_t a = listed_[n];
         const Box box = boxes_[a];
+        std::size_t count = 0;
         for (std::uint32_t m = first_[list]; m < n; ++m) {
-          const std::uint32_t b = listed_[m];
-          if (meet(box, boxes_[b]) && a != b) visit(facets_[a], facets_[b]);
+          const std::uint32_t b = met[count] = listed_[m];
+          count +=
+              static_cast<std::size_t>(meet(box, boxes_[b])) & static_cast<std::size_t>(a != b);
         }
+        for (std::size_t k = 0; k < count; ++k) visit(facets_[a], facets_[met[k]]);
       }
     }
   }
