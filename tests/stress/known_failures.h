@@ -16,13 +16,18 @@ struct KnownFailure {
   std::string_view fault;  // as the storm lists it, or the beginning of that
   std::string_view known;
 
-  // True if `what` the storm lists is this fault and no other.
+  // True if `what` the storm lists is this fault and no other. Close places are none.
   bool is(std::string_view what) const {
-    return what.starts_with(fault) && what.find("; ") == what.npos;
+    const std::size_t end = std::min(what.find("; "), what.size());
+    return what.starts_with(fault) &&
+           (end == what.size() || what.substr(end).starts_with("; close"));
   }
 };
 
 inline constexpr KnownFailure kKnownFailures[] = {
+    {7387, true, "check (without it too): self-intersections 16",
+     "--stop-after stage1, floats with ties, 1:7:7: Stage 1 alone leaves sheets that cross, and "
+     "says so"},
     {21037, false, "slow: ", "--triangles 8: refined and coarsened for 1.5 s, the whole for .07 s"},
     {21279, false, "slow: ", "--vertices 5: refined and coarsened for 6 s, the whole for .05 s"},
 };
