@@ -5,7 +5,6 @@
 // side of a block, 4 to 8 voxels. Each volume is meshed in one thread and in 2, 3, 8 or 16. Exit
 // status 1 when the two differ in a byte, or check finds a fault other than a triangle over a
 // limit: another topology than the surface, two triangles that cross, a solid that is open.
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>

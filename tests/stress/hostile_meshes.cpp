@@ -22,7 +22,6 @@
 #include "io/damage.h"
 #include "io/mesh/mesh_files.h"
 #include "io/mesh/write_mesh.h"
-#include "io/volume/builtin_fields.h"
 #include "io/volume/builtin_volume.h"
 #include "io/volume/volume_files.h"
 #include "mesh/meshes.h"

@@ -2,7 +2,6 @@
 // Meshes a volume, checks the mesh in every way there is, and says what was found.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 

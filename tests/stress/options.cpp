@@ -34,10 +34,8 @@
 #include <ctime>
 #include <exception>
 #include <filesystem>
-#include <functional>
 #include <initializer_list>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>

@@ -14,6 +14,7 @@
 #include "base/check.h"
 #include "base/random.h"
 #include "base/text.h"
+#include "refusal.h"
 #include "volume/sampled.h"
 #include "volume/volume_source.h"
 
@@ -235,12 +236,7 @@ TEST_CASE("samples may lie at places of their own along an axis") {
     if (block.box().contains(p)) CHECK(distance(block.gradient(p), volume.gradient(p)) < 1e-11);
   }
   const auto message = [&](Coordinates wrong) {
-    try {
-      even.with_places(std::move(wrong), "v");
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::refusal_by([&] { even.with_places(std::move(wrong), "v"); });
   };
   CHECK(message({{{0, 1}, {}, {}}}) == "v: has 3 samples along x, and 2 coordinates");
   CHECK(message({{{0, 1, 1}, {}, {}}}) == "v: its coordinates along x do not increase at sample 2");
