@@ -4,10 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>

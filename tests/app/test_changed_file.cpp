@@ -14,6 +14,7 @@
 #include "app/progress.h"
 #include "base/check.h"
 #include "io/files/temporary_folder.h"
+#include "refusal.h"
 #include "volume/sampled.h"
 
 using namespace deliso;
@@ -51,12 +52,7 @@ std::string refusal(const std::string& path, Act act) {
   const Input input = read_input(line);
   MeshRun run(line, input);
   ActsInBetween progress(line, act);
-  try {
-    mesh_input(run, progress);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_by([&] { mesh_input(run, progress); });
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <limits>
 #include <span>
 #include <string>
@@ -18,6 +17,7 @@
 #include "base/check.h"
 #include "base/random.h"
 #include "base/text.h"
+#include "refusal.h"
 
 using namespace deliso;
 using namespace deliso::test;
@@ -26,12 +26,7 @@ namespace {
 
 // The message with which these words are refused; empty when they are not.
 std::string refusal_of(const std::vector<std::string>& words) {
-  try {
-    parse_words(words);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_by([&] { parse_words(words); });
 }
 std::string refusal(const std::string& line) {
   return refusal_of(split(line));

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/check_report.h"

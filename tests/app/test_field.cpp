@@ -25,6 +25,7 @@
 #include "io/filter/gaussian.h"
 #include "io/filter/median.h"
 #include "io/mesh/read_mesh.h"
+#include "mesh/meshes.h"
 #include "volume/sampled.h"
 
 using namespace deliso;
@@ -57,16 +58,14 @@ struct Balls {
 
 // The distance of p from the closed mesh; negative outside.
 double depth_in(const TriMesh& mesh, const Vec3& p) {
-  double angles = 0, nearest2 = 1e300;
+  double nearest2 = 1e300;
   for (const Face& face : mesh.faces) {
-    const Vec3 a = mesh.points[face.v[0]] - p, b = mesh.points[face.v[1]] - p,
-               c = mesh.points[face.v[2]] - p;
-    const double la = length(a), lb = length(b), lc = length(c);
-    angles += 2 * std::atan2(dot(a, cross(b, c)),
-                             la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-    nearest2 = std::min(nearest2, distance2_to_triangle({}, a, b, c));
+    const auto& [a, b, c] = face.v;
+    nearest2 = std::min(nearest2,
+                        distance2_to_triangle(p, mesh.points[a], mesh.points[b], mesh.points[c]));
   }
-  return (angles > 6 ? 1 : -1) * std::sqrt(nearest2);
+  const bool is_inside = winding_number(mesh.points, triangles_of(mesh), p) > 0.5;
+  return (is_inside ? 1 : -1) * std::sqrt(nearest2);
 }
 
 }  // namespace
@@ -210,36 +209,6 @@ TEST_CASE("a mesh for each label, where the label lies, and each passes the chec
     CHECK(file_bytes(file) == file_bytes(alone));
   }
   CHECK(std::filesystem::exists(balls.folder.path("part-4.ply")));
-}
-
-TEST_CASE("shared labels are closed, and have the same vertices where they touch") {
-  const Balls balls;
-  const auto shared = [&](const std::string& file, const std::string& threads) {
-    return run_mesh(balls.line("--label all --cap --shared " + balls.folder.path(file) + " -o " +
-                               balls.folder.path("%d.ply") + " --threads " + threads));
-  };
-  CHECK(shared("all.ply", "1") == kExitSuccess);
-  std::vector<TriMesh> meshes;
-  for (const char* name : {"1.ply", "2.ply", "4.ply"})
-    meshes.push_back(read_mesh(balls.folder.path(name)));
-  const auto common = [&](const TriMesh& a, const TriMesh& b) {
-    return std::ranges::count_if(
-        a.points, [&](const Vec3& p) { return std::ranges::count(b.points, p) > 0; });
-  };
-  for (const TriMesh& mesh : meshes) {
-    CHECK(check_mesh(mesh).empty());
-    CHECK(mesh_topology(mesh).counts() == TopologyCounts{1, 2, 0});  // 4, too: caps close it
-  }
-  CHECK(common(meshes[0], meshes[1]) > 5);
-  CHECK(common(meshes[1], meshes[2]) > 5);
-  CHECK(common(meshes[0], meshes[2]) == 0);
-  const TriMesh all = read_mesh(balls.folder.path("all.ply"));
-  CHECK(all.points.size() <
-        meshes[0].points.size() + meshes[1].points.size() + meshes[2].points.size());
-  CHECK(shared("again.ply", "3") == kExitSuccess);
-  CHECK(read_mesh(balls.folder.path("again.ply")).points == all.points);
-  CHECK(shared("all.vtp", "2") == kExitSuccess);
-  CHECK(read_mesh(balls.folder.path("all.vtp")).points == all.points);
 }
 
 TEST_CASE("an input is not overwritten by the mesh of a label") {

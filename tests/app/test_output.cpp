@@ -10,6 +10,7 @@
 
 #include "base/check.h"
 #include "io/files/temporary_folder.h"
+#include "refusal.h"
 
 using namespace deliso;
 using namespace deliso::test;
@@ -20,12 +21,7 @@ using Names = std::vector<std::string>;
 
 // The fault of a run of these files; empty when there is none.
 std::string fault(const Names& outputs, const Names& inputs) {
-  try {
-    require_outputs(outputs, inputs);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_by([&] { require_outputs(outputs, inputs); });
 }
 
 }  // namespace

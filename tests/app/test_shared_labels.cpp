@@ -22,6 +22,7 @@
 #include "io/files/temporary_folder.h"
 #include "io/mesh/read_mesh.h"
 #include "mesh/meshes.h"
+#include "refusal.h"
 #include "stress/shared_file.h"
 #include "volume/sampled.h"
 
@@ -207,12 +208,7 @@ struct Halves {
     return warnings_of(run.notes);
   }
   std::string refusal(const std::string& more) const {
-    try {
-      run_mesh(line("-q " + more));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return {};
+    return refusal_by([&] { run_mesh(line("-q " + more)); });
   }
   TemporaryFolder folder;
 };

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "app/parsed_line.h"
 #include "app/run.h"

@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -13,6 +12,7 @@
 #include "base/check.h"
 #include "base/random.h"
 #include "io/files/temporary_folder.h"
+#include "refusal.h"
 #include "support/datasets.h"
 #include "support/insertion_cost.h"
 #include "support/line_chart.h"
@@ -67,12 +67,7 @@ TEST_CASE("a damaged list is refused with its line") {
   std::string all((std::istreambuf_iterator<char>(in)), {});
   const auto refused = [&](const std::string& text, const std::string& words) {
     std::ofstream(path) << text;
-    try {
-      read_datasets(path);
-    } catch (const InputError& error) {
-      return std::string(error.what()).find(words) != std::string::npos;
-    }
-    return false;
+    return test::refusal_by([&] { read_datasets(path); }).find(words) != std::string::npos;
   };
   CHECK(refused("", "lists no data set"));
   CHECK(refused("name\tfile\n", "line 1: not the header"));

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "contour/contour.h"
 #include "io/volume/builtin_volume.h"

@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "io/files/temporary_folder.h"
+#include "refusal.h"
 #include "support/quality_table.h"
 #include "support/run_program.h"
 
@@ -119,12 +120,7 @@ TEST_CASE("runs are read back as they were written") {
   CHECK(read_runs(path)[0].measured[Metric::vertices] == 12);
   const auto refused = [&](const std::string& bytes, const std::string& words) {
     write_bytes(path, bytes);
-    try {
-      read_runs(path);
-    } catch (const InputError& error) {
-      return has(error.what(), words);
-    }
-    return false;
+    return has(test::refusal_by([&] { read_runs(path); }), words);
   };
   CHECK(refused("", "is no file of runs"));
   CHECK(refused("build\tvolume\tturn\n", "is no file of runs"));

@@ -18,7 +18,6 @@
 #include "base/random.h"
 #include "c/deliso.h"
 #include "io/files/json_value.h"
-#include "io/volume/builtin_volume.h"
 #include "io/volume/volume_files.h"
 
 using namespace deliso;

@@ -4,7 +4,6 @@
 
 #include <doctest/doctest.h>
 
-#include <utility>
 #include <vector>
 
 #include "cases.h"

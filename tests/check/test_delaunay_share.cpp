@@ -4,8 +4,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-
 #include "cases.h"
 #include "check/mesh_triangulation.h"
 #include "coarsen/contour_as_mesh.h"

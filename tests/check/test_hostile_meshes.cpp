@@ -11,7 +11,6 @@
 #include "check/hostile_meshes.h"
 #include "check/self_intersections.h"
 #include "check/verify.h"
-#include "contour/contour.h"
 #include "embedding/all_crossings.h"
 #include "io/volume/builtin_volume.h"
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string_view>
 
@@ -36,6 +35,11 @@ Parts parts_of(const TriMesh& mesh) {
   return {mesh.points, test::triangles_of(mesh)};
 }
 
+Verification verify_parts(const Parts& parts, const Volume& volume, double kappa,
+                          const VerifyOptions& options = {}) {
+  return verify(make_tri_mesh(parts.points, parts.triangles), volume, kappa, options);
+}
+
 struct Good {
   explicit Good(const std::string& name)
       : volume(make_builtin_volume("builtin:" + name)),
@@ -45,9 +49,7 @@ struct Good {
   }
 
   Verification verify_parts(const Parts& parts, double share = 0.5) const {
-    VerifyOptions options;
-    options.restricted_share = share;
-    return verify(make_tri_mesh(parts.points, parts.triangles), volume, kappa, options);
+    return deliso::verify_parts(parts, volume, kappa, {.restricted_share = share});
   }
 
   Volume volume;
@@ -427,13 +429,12 @@ TEST_CASE("triangles without surface near by are too far if distances are requir
   }
   p.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
   VerifyOptions options;
-  options.restricted_share = 0;
   options.limits[Criterion::distance] = 1;
-  const Verification counted = verify(make_tri_mesh(p.points, p.triangles), volume, kappa, options);
+  const Verification counted = verify_parts(p, volume, kappa, options);
   REQUIRE(counted.to_surface.not_found > 0);
   CHECK(counted.faults.count(FaultKind::too_far) == 0);
   options.require_distance = true;
-  const Verification v = verify(make_tri_mesh(p.points, p.triangles), volume, kappa, options);
+  const Verification v = verify_parts(p, volume, kappa, options);
   CHECK(v.faults.count(FaultKind::too_far) ==
         v.to_surface.beyond + v.to_surface.not_found + v.from_surface.beyond);
 }
@@ -447,11 +448,8 @@ TEST_CASE("a component with a cut handle is reported as different") {
     for (float& s : samples) s = static_cast<float>(random.uniform(-1, 1));
     const Scene scene(Volume::from_samples({6, 6, 6}, {1, 1, 1}, samples), 0);
     const ContourMesh& contour = scene.contour;
-    VerifyOptions options;
-    options.restricted_share = 0;
     const auto run = [&](const Parts& p) {
-      return verify(make_tri_mesh(p.points, p.triangles), scene.volume, scene.surface.kappa(),
-                    options);
+      return verify_parts(p, scene.volume, scene.surface.kappa());
     };
     const Parts whole = parts_of(contour_as_mesh(contour).mesh);
     for (int n = 0; n < 125 && cut < 3; ++n) {
@@ -507,15 +505,10 @@ TEST_CASE("a component left out is reported as missing") {
   const Scene scene = wave_scene(3, 24);
   REQUIRE(scene.contour.summary.components.size() > 1);
   Parts p = parts_of(contour_as_mesh(scene.contour).mesh);
-  VerifyOptions options;
-  options.restricted_share = 0;
-  const auto run = [&] {
-    return verify(make_tri_mesh(p.points, p.triangles), scene.volume, scene.surface.kappa(),
-                  options);
-  };
-  REQUIRE(component_kinds_of(run().faults).empty());
+  const double kappa = scene.surface.kappa();
+  REQUIRE(component_kinds_of(verify_parts(p, scene.volume, kappa).faults).empty());
   remove_component(p, scene.contour, 1);
-  const Faults faults = run().faults;
+  const Faults faults = verify_parts(p, scene.volume, kappa).faults;
   CHECK(component_kinds_of(faults) == std::vector{FaultKind::missing_components});
   CHECK(faults.count(FaultKind::missing_components) == 1);
 }
@@ -528,11 +521,8 @@ TEST_CASE("a solid is sound, and one fault in its caps is reported as one fault"
   const TriMesh mesh = mesh_isosurface(volume, 0, meshing, report);
   REQUIRE(report.cap.failure == "");
   const auto run = [&](const Parts& p, bool solid = true) {
-    VerifyOptions options;
-    options.restricted_share = 0.5;
-    options.solid = solid;
-    return verify(make_tri_mesh(p.points, p.triangles), volume,
-                  geometric_isovalue(volume.type(), 0), options);
+    return verify_parts(p, volume, geometric_isovalue(volume.type(), 0),
+                        {.restricted_share = 0.5, .solid = solid});
   };
   const Parts good = parts_of(mesh);
   const Verification sound = run(good);
@@ -587,11 +577,9 @@ TEST_CASE("a small component left out on request is counted, a larger one is mis
   Parts p = parts_of(contour_as_mesh(scene.contour).mesh);
   remove_component(p, scene.contour, 1);
   VerifyOptions options;
-  options.restricted_share = 0;
   for (const bool allowed : {false, true}) {
     options.components.min_voxels = allowed ? size + 1 : size;
-    const Verification v =
-        verify(make_tri_mesh(p.points, p.triangles), scene.volume, scene.surface.kappa(), options);
+    const Verification v = verify_parts(p, scene.volume, scene.surface.kappa(), options);
     CHECK(v.left_out == (allowed ? 1 : 0));
     CHECK(component_kinds_of(v.faults).empty() == allowed);
     CHECK(v.faults.count(FaultKind::missing_components) == (allowed ? 0 : 1));
@@ -640,10 +628,7 @@ TEST_CASE("a vertex on a component that is left out is a fault, distances from i
   of_mesh.components.largest = 1;
   Report report;
   Parts p = parts_of(mesh_isosurface(scene.volume, scene.surface.kappa(), of_mesh, report));
-  const auto run = [&] {
-    return verify(make_tri_mesh(p.points, p.triangles), scene.volume, scene.surface.kappa(),
-                  options);
-  };
+  const auto run = [&] { return verify_parts(p, scene.volume, scene.surface.kappa(), options); };
   const Verification sound = run();
   CHECK_FALSE(sound.faults.any());
   CHECK(sound.left_out == 4);

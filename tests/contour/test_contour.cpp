@@ -6,7 +6,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <functional>
 
 #include "base/random.h"
 #include "io/volume/builtin_volume.h"

@@ -8,36 +8,21 @@
 #include <array>
 #include <map>
 #include <set>
-#include <sstream>
 #include <string>
 
+#include "base/text.h"
 #include "delaunay/triangulation.h"
 #include "exact/predicates.h"
 
 namespace deliso {
+// A cell by its vertices, and where they are.
 inline std::string describe(const Triangulation& t, CellId c) {
-  std::ostringstream out;
-  out.precision(17);
-  out << "cell " << c << " (";
-  for (int i = 0; i < 4; ++i) {
-    const SiteId v = t.vertex(c, i);
-    out << (i ? ", " : "") << v;
-    if (v == Triangulation::kInfinite) {
-      out << " at infinity";
-    } else if (v < t.vertex_capacity()) {
-      const Vec3& p = t.point(v);
-      out << " at " << p.x << " " << p.y << " " << p.z;
-    }
-  }
-  out << ")";
-  return out.str();
-}
-
-template <class... Parts>
-std::string sentence(const Parts&... parts) {
-  std::ostringstream out;
-  (out << ... << parts);
-  return out.str();
+  const auto vertex = [&](SiteId v) {
+    if (v == Triangulation::kInfinite || v >= t.vertex_capacity()) return text(v);
+    const Vec3& p = t.point(v);
+    return text(v, " at ", p.x, " ", p.y, " ", p.z);
+  };
+  return text("cell ", c, " (", joined(t.vertices(c), ", ", vertex), ")");
 }
 
 // Returns the sign of orient3d with p in place of vertex i of c. pre: the three others are finite.
@@ -74,9 +59,9 @@ inline std::string check_triangulation(const Triangulation& t) {
     std::array<SiteId, 4> v = t.vertices(c);
     std::sort(v.begin(), v.end());
     if (v[3] >= t.vertex_capacity() || std::adjacent_find(v.begin(), v.end()) != v.end())
-      return sentence("I1: ", describe(t, c), " has a repeated or unknown vertex");
+      return text("I1: ", describe(t, c), " has a repeated or unknown vertex");
     if (v[0] == Triangulation::kInfinite && !t.is_infinite(c))
-      return sentence("I5: in ", describe(t, c), " the infinite vertex is not the first");
+      return text("I5: in ", describe(t, c), " the infinite vertex is not the first");
     for (SiteId w : v) used[w] = true;
     for (int i = 0; i < 4; ++i) {
       for (int j = i + 1; j < 4; ++j) edges.insert({v[i], v[j]});
@@ -88,13 +73,13 @@ inline std::string check_triangulation(const Triangulation& t) {
 
   for (const auto& [key, cells] : facets) {
     if (cells.size() != 2)
-      return sentence("I1: the facet ", key[0], " ", key[1], " ", key[2], " is in ", cells.size(),
-                      " cells, ", describe(t, cells[0].cell), " among them");
+      return text("I1: the facet ", key[0], " ", key[1], " ", key[2], " is in ", cells.size(),
+                  " cells, ", describe(t, cells[0].cell), " among them");
     for (int k = 0; k < 2; ++k) {
       if (t.mirror(cells[k]) != cells[1 - k] ||
           t.neighbor(cells[k].cell, cells[k].index) != cells[1 - k].cell)
-        return sentence("I1: facet ", cells[k].index, " of ", describe(t, cells[k].cell),
-                        " does not lead to ", describe(t, cells[1 - k].cell));
+        return text("I1: facet ", cells[k].index, " of ", describe(t, cells[k].cell),
+                    " does not lead to ", describe(t, cells[1 - k].cell));
     }
   }
 
@@ -103,34 +88,34 @@ inline std::string check_triangulation(const Triangulation& t) {
     const int i = t.infinite_index(c);
     if (i < 0) {
       if (side(t, c, 0, t.point(t.vertex(c, 0))) <= 0)
-        return sentence("I2: ", describe(t, c), " is not positively oriented");
+        return text("I2: ", describe(t, c), " is not positively oriented");
     } else {
       // Every vertex lies on the inner side of a hull facet or in its plane.
       const Facet inner = t.mirror({c, i});
       if (t.is_infinite(inner.cell))
-        return sentence("I2: the hull facet of ", describe(t, c), " has no finite cell");
+        return text("I2: the hull facet of ", describe(t, c), " has no finite cell");
       if (side(t, c, i, t.point(t.vertex(inner.cell, inner.index))) >= 0)
-        return sentence("I2: ", describe(t, c), " has its infinite vertex on the inner side");
+        return text("I2: ", describe(t, c), " has its infinite vertex on the inner side");
     }
   }
 
   std::ptrdiff_t vertex_count = 0;
   for (SiteId v = 0; v < t.vertex_capacity(); ++v) {
-    if (!used[v]) return sentence("I4: vertex ", v, " is in no cell");
+    if (!used[v]) return text("I4: vertex ", v, " is in no cell");
     ++vertex_count;
     const CellId c = t.incident_cell(v);
     if (c >= t.cell_capacity() || !t.is_live(c))
-      return sentence("I4: the incident cell ", c, " of vertex ", v, " does not exist");
+      return text("I4: the incident cell ", c, " of vertex ", v, " does not exist");
     const auto& w = t.vertices(c);
     if (std::find(w.begin(), w.end(), v) == w.end())
-      return sentence("I4: the incident cell of vertex ", v, ", ", describe(t, c),
-                      ", does not hold it");
+      return text("I4: the incident cell of vertex ", v, ", ", describe(t, c),
+                  ", does not hold it");
   }
 
   const std::ptrdiff_t euler = vertex_count - static_cast<std::ptrdiff_t>(edges.size()) +
                                static_cast<std::ptrdiff_t>(facets.size()) - cell_count;
   if (euler != 0)
-    return sentence("I1: vertices - edges + facets - cells is ", euler, ", not 0 as on a 3-sphere");
+    return text("I1: vertices - edges + facets - cells is ", euler, ", not 0 as on a 3-sphere");
   return {};
 }
 
@@ -151,8 +136,8 @@ inline std::string check_delaunay(const Triangulation& t) {
         conflict = s > 0 || (s == 0 && in_circumcircle(t, c, i, p));
       }
       if (conflict)
-        return sentence("I3: vertex ", v, " (", p.x, " ", p.y, " ", p.z, ") is in conflict with ",
-                        describe(t, c));
+        return text("I3: vertex ", v, " (", p.x, " ", p.y, " ", p.z, ") is in conflict with ",
+                    describe(t, c));
     }
   }
   return {};

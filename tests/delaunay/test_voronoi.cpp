@@ -187,9 +187,7 @@ TEST_CASE("facet_dual is the same from both cells, with ends at circumcenters or
       if (!t.is_live(c)) continue;
       for (int i = 0; i < 4; ++i) {
         const Facet f{c, i}, g = t.mirror(f);
-        bool finite = true;
-        for (int k = 0; k < 4; ++k) finite &= k == i || t.vertex(c, k) != Triangulation::kInfinite;
-        if (!finite) continue;
+        if (has_infinite_vertex(t, f)) continue;
         const FacetDual dual = facet_dual(t, f), back = facet_dual(t, g);
         REQUIRE(dual.center == back.center);
         REQUIRE(dual.normal == back.normal);
@@ -205,8 +203,7 @@ TEST_CASE("facet_dual is the same from both cells, with ends at circumcenters or
                                                   : dot(dual.normal, t.point(apex) - dual.center);
         };
         // Corners in the order of their ids turn counter-clockwise as seen from the high end.
-        std::array<SiteId, 3> v;
-        for (int k = 0; k < 3; ++k) v[k] = t.vertex(c, (i + 1 + k) % 4);
+        SiteTriangle v = facet_vertices(t, f);
         std::ranges::sort(v);
         const bool f_is_finite = t.vertex(c, i) != Triangulation::kInfinite;
         const Facet finite_one = f_is_finite ? f : g;
@@ -246,17 +243,12 @@ TEST_CASE(
     CAPTURE(i);
     t.find_conflicts(points[i], kNoId, zone);
     std::vector<FacetDual> before;
-    const auto finite = [&](const Facet& f) {
-      for (int k = 0; k < 4; ++k)
-        if (k != f.index && t.vertex(f.cell, k) == Triangulation::kInfinite) return false;
-      return true;
-    };
     for (const Facet& f : zone.boundary)
-      before.push_back(finite(f) ? facet_dual(t, f) : FacetDual{});
+      before.push_back(has_infinite_vertex(t, f) ? FacetDual{} : facet_dual(t, f));
     t.insert_in_zone(points[i], zone, created);
     for (std::size_t k = 0; k < created.size(); ++k) {
       const Facet f{created[k], zone.boundary[k].index};
-      if (!finite(f)) continue;
+      if (has_infinite_vertex(t, f)) continue;
       const FacetDual after = facet_dual(t, f);
       REQUIRE(after.center == before[k].center);
       REQUIRE(after.normal == before[k].normal);

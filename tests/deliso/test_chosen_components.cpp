@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "base/random.h"
@@ -13,7 +12,6 @@
 #include "coarsen/contour_as_mesh.h"
 #include "deliso/mesh_isosurface.h"
 #include "fields.h"
-#include "refine/refine.h"
 #include "volume/sampled.h"
 
 using namespace deliso;

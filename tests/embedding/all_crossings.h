@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/box3.h"
 #include "embedding/triangle_pair.h"
 #include "exact/predicates.h"
 #include "mesh/tri_mesh.h"

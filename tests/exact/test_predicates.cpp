@@ -6,7 +6,6 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <functional>
 #include <vector>
 
 #include "base/random.h"
@@ -45,6 +44,14 @@ Vec3 integers(Random& random, int k) {
 Vec3 any_magnitude(Random& random) {
   const auto coordinate = [&] { return random.uniform(-1, 1) * std::ldexp(1, within(random, 99)); };
   return {coordinate(), coordinate(), coordinate()};
+}
+
+Vec3 permuted(Random& random, Vec3 p) {
+  for (int k = 0; k < 3; ++k) {
+    std::swap(p[k], p[static_cast<int>(random.below(3))]);
+    if (random.below(2)) p[k] = -p[k];
+  }
+  return p;
 }
 
 Vec3 scaled(const Vec3& p, int exponent) {
@@ -114,12 +121,7 @@ Points near_cospherical_points(Random& random, int trial) {
         break;
       }
       default: {  // integers with one squared length: a point's permutations and reflections
-        q = seed;
-        for (int k = 0; k < 3; ++k) {
-          std::swap(q[k], q[static_cast<int>(random.below(3))]);
-          if (random.below(2)) q[k] = -q[k];
-        }
-        q = scaled(q + icenter, exponent);
+        q = scaled(permuted(random, seed) + icenter, exponent);
         if (trial % 4 == 2 && random.below(5) == 0) q = jitter(random, q, 1);
       }
     }
@@ -127,35 +129,31 @@ Points near_cospherical_points(Random& random, int trial) {
   return p;
 }
 
-using Family = Points (*)(Random&, int);
+// The oracle's signs. They fail if a predicate, or its adaptive stages alone, have another one.
+int orient3d_sign(const Points& p) {
+  const int expected = oracle::orient3d(p[0], p[1], p[2], p[3]);
+  if (orient3d(p[0], p[1], p[2], p[3]) != expected ||
+      predicates::orient3d_adaptive(p[0], p[1], p[2], p[3]) != expected)
+    FAIL("orient3d has another sign");
+  return expected;
+}
+int insphere_sign(const Points& p) {
+  const int expected = oracle::insphere(p[0], p[1], p[2], p[3], p[4]);
+  if (insphere(p[0], p[1], p[2], p[3], p[4]) != expected ||
+      predicates::insphere_adaptive(p[0], p[1], p[2], p[3], p[4]) != expected)
+    FAIL("insphere has another sign");
+  return expected;
+}
 
 // Counts each sign, so that no family is degenerate in the wrong way.
 using SignCounts = std::array<int, 3>;
 
-SignCounts orient3d_signs(Family family) {
+SignCounts count_signs(int (*sign)(const Points&), Points (*family)(Random&, int)) {
   SignCounts counts{};
   for (int trial = 0; trial < kCases; ++trial) {
+    CAPTURE(trial);
     Random random(trial);
-    const Points p = family(random, trial);
-    const int expected = oracle::orient3d(p[0], p[1], p[2], p[3]);
-    if (orient3d(p[0], p[1], p[2], p[3]) != expected ||
-        predicates::orient3d_adaptive(p[0], p[1], p[2], p[3]) != expected)
-      FAIL("orient3d: wrong sign for seed " << trial);
-    ++counts[expected + 1];
-  }
-  return counts;
-}
-
-SignCounts insphere_signs(Family family) {
-  SignCounts counts{};
-  for (int trial = 0; trial < kCases; ++trial) {
-    Random random(trial);
-    const Points p = family(random, trial);
-    const int expected = oracle::insphere(p[0], p[1], p[2], p[3], p[4]);
-    if (insphere(p[0], p[1], p[2], p[3], p[4]) != expected ||
-        predicates::insphere_adaptive(p[0], p[1], p[2], p[3], p[4]) != expected)
-      FAIL("insphere: wrong sign for seed " << trial);
-    ++counts[expected + 1];
+    ++counts[sign(family(random, trial)) + 1];
   }
   return counts;
 }
@@ -175,24 +173,24 @@ TEST_CASE("a positive cell and a point inside its sphere have sign 1") {
 }
 
 TEST_CASE("orient3d has the exact sign on random points") {
-  const SignCounts counts = orient3d_signs(random_points);
+  const SignCounts counts = count_signs(orient3d_sign, random_points);
   CHECK(counts[0] > kCases / 3);
   CHECK(counts[2] > kCases / 3);
 }
 
 TEST_CASE("orient3d has the exact sign on nearly coplanar points") {
-  const SignCounts counts = orient3d_signs(near_coplanar_points);
+  const SignCounts counts = count_signs(orient3d_sign, near_coplanar_points);
   for (int n : counts) CHECK(n > kCases / 8);
 }
 
 TEST_CASE("insphere has the exact sign on random points") {
-  const SignCounts counts = insphere_signs(random_points);
+  const SignCounts counts = count_signs(insphere_sign, random_points);
   CHECK(counts[0] > kCases / 5);
   CHECK(counts[2] > kCases / 5);
 }
 
 TEST_CASE("insphere has the exact sign on nearly cospherical points") {
-  const SignCounts counts = insphere_signs(near_cospherical_points);
+  const SignCounts counts = count_signs(insphere_sign, near_cospherical_points);
   for (int n : counts) CHECK(n > kCases / 8);
 }
 
@@ -225,14 +223,6 @@ std::vector<Vec3> cospherical_integers(Random& random, int bits, std::size_t cou
   return points;
 }
 
-Vec3 permuted(Random& random, Vec3 p) {
-  for (int k = 0; k < 3; ++k) {
-    std::swap(p[k], p[static_cast<int>(random.below(3))]);
-    if (random.below(2)) p[k] = -p[k];
-  }
-  return p;
-}
-
 }  // namespace
 
 TEST_CASE("insphere is exact on cospherical integers about the size where doubles round") {
@@ -248,12 +238,9 @@ TEST_CASE("insphere is exact on cospherical integers about the size where double
         Points p;
         for (Vec3& q : p) q = permuted(random, on_sphere[random.below(12)]);
         if (trial % 2) p[4][trial % 3] += within(random, 1);
-        const int exponent = within(random, 40),
-                  expected = oracle::insphere(p[0], p[1], p[2], p[3], p[4]);
+        const int exponent = within(random, 40);
         for (Vec3& q : p) q = scaled(q, exponent);
-        REQUIRE(insphere(p[0], p[1], p[2], p[3], p[4]) == expected);
-        REQUIRE(predicates::insphere_adaptive(p[0], p[1], p[2], p[3], p[4]) == expected);
-        ++counts[expected + 1];
+        ++counts[insphere_sign(p) + 1];
       }
     }
   }
@@ -270,13 +257,11 @@ TEST_CASE("orient3d is exact on coplanar integers about the size where doubles r
       // Vectors of `bits` bits: two, and their sum, which is in their plane.
       const Vec3 o = of_bits(random, bits), u = of_bits(random, bits - 1),
                  v = of_bits(random, bits - 1);
-      std::array<Vec3, 4> p{o, o + u, o + v, o + (u + v)};
+      Points p{o, o + u, o + v, o + (u + v)};
       if (seed % 2) p[3][static_cast<int>(seed % 3)] += within(random, 1);
-      const int exponent = within(random, 90), expected = oracle::orient3d(p[0], p[1], p[2], p[3]);
+      const int exponent = within(random, 90);
       for (Vec3& q : p) q = scaled(q, exponent);
-      REQUIRE(orient3d(p[0], p[1], p[2], p[3]) == expected);
-      REQUIRE(predicates::orient3d_adaptive(p[0], p[1], p[2], p[3]) == expected);
-      ++counts[expected + 1];
+      ++counts[orient3d_sign(p) + 1];
     }
   }
   for (int n : counts) CHECK(n > 2000);
@@ -298,9 +283,8 @@ TEST_CASE("signs are exact at both ends of the guaranteed range") {
         REQUIRE(std::fabs(q[axis]) <= kLargestCoordinate);
       }
     }
-    REQUIRE(orient3d(p[0], p[1], p[2], p[3]) == oracle::orient3d(p[0], p[1], p[2], p[3]));
-    const int expected = oracle::insphere(p[0], p[1], p[2], p[3], p[4]);
-    REQUIRE(insphere(p[0], p[1], p[2], p[3], p[4]) == expected);
+    orient3d_sign(p);
+    insphere_sign(p);
   }
 }
 

@@ -9,7 +9,6 @@
 // With DELISO_SEE=folder in the environment (tests/see.h) the volume is written there too, and the
 // command line that does the same is printed.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

@@ -75,13 +75,14 @@ int side_of(const TestField& field, const Vec3& point) {
 
 }  // namespace
 
+// A search costs a computation for every active voxel, with hits or not.
 TEST_CASE("intersect equals brute force over all voxels") {
   for (const TestField& field : test_fields()) {
     const VoxelUnits units(field.volume);
     for (const CubicMethod method : {CubicMethod::isolation, CubicMethod::schwarze}) {
       CAPTURE(field.name);
       const Isosurface surface(field.volume, field.kappa, method);
-      SearchCounters counters;
+      SearchCounters counters, expected_counts;
       std::vector<Hit> hits;
       std::size_t found = 0, parities = 0;
       const std::uint64_t trials = test::cases(method == CubicMethod::isolation ? 100'000 : 20'000);
@@ -104,6 +105,10 @@ TEST_CASE("intersect equals brute force over all voxels") {
           REQUIRE(distance(hits[n].point, r.at(hits[n].t)) <= slack);
         }
         found += hits.size();
+        const std::size_t active = active_pieces(field, line, {0, 1}).size();
+        expected_counts += {1, !hits.empty(), active, hits.empty() ? 0 : active};
+        REQUIRE(counters.computations == expected_counts.computations);
+        REQUIRE(counters.computations_with_hit == expected_counts.computations_with_hit);
 
         // Between any two points of the segment clear of Sigma, by the samples alone.
         double last_t = 0;
@@ -128,6 +133,10 @@ TEST_CASE("intersect equals brute force over all voxels") {
       CHECK(found > trials / 4);
       CHECK(parities > 2 * trials);
       CHECK(counters.searches == trials);
+      CHECK(counters.searches_with_hit == expected_counts.searches_with_hit);
+      // There are computations without a root, and searches of several computations.
+      CHECK(counters.computations_with_hit < counters.computations);
+      CHECK(counters.computations_with_hit > counters.searches_with_hit);
     }
   }
 }
@@ -167,32 +176,6 @@ TEST_CASE("nearest equals the nearest of all brute-force hits") {
     CHECK(found > kTrials / 5);
     CHECK(counters.searches == kTrials);
     CHECK(counters.searches_with_hit == found);
-  }
-}
-
-TEST_CASE("a search on a segment counts a computation for every active voxel, with hits or not") {
-  for (const TestField& field : test_fields()) {
-    CAPTURE(field.name);
-    const VoxelUnits units(field.volume);
-    const Isosurface surface(field.volume, field.kappa);
-    SearchCounters all, expected;
-    std::vector<Hit> hits;
-    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-      CAPTURE(seed);
-      Random random(seed);
-      const Segment r = hard_segment(random, field.volume);
-      surface.intersect(r, hits, all);
-      const LatticeLine line = units.line(r.a, r.direction());
-      const std::size_t active = active_pieces(field, line, {0, 1}).size();
-      expected += {1, !hits.empty(), active, hits.empty() ? 0 : active};
-      REQUIRE(all.computations == expected.computations);
-      REQUIRE(all.computations_with_hit == expected.computations_with_hit);
-    }
-    CHECK(all.searches == expected.searches);
-    CHECK(all.searches_with_hit == expected.searches_with_hit);
-    // There are computations without a root, and searches of several computations.
-    CHECK(all.computations_with_hit < all.computations);
-    CHECK(all.computations_with_hit > all.searches_with_hit);
   }
 }
 

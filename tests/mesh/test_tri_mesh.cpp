@@ -63,31 +63,6 @@ void compare(const Triangles& triangles) {
 
 }  // namespace
 
-TEST_CASE("named meshes are linked as all pairs of sides say") {
-  for (const Triangles& triangles : {Triangles{},
-                                     tetrahedron(),
-                                     octahedron(),
-                                     torus_grid(3, 3),
-                                     torus_grid(5, 4),
-                                     one_ring(6),
-                                     fan(4),
-                                     l_shape(),
-                                     annulus(),
-                                     hourglass(),
-                                     bow_tie(),
-                                     moebius_strip(),
-                                     fan_of_three_on_an_edge(),
-                                     duplicated_facet(),
-                                     flipped_facet(),
-                                     pillow(),
-                                     two_spheres(),
-                                     Triangles{{0, 0, 1}},
-                                     Triangles{{0, 0, 0}},
-                                     Triangles{{0, 0, 1}, {0, 1, 2}}}) {
-    compare(triangles);
-  }
-}
-
 TEST_CASE("triangle soups are linked as all pairs of sides say") {
   for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
     CAPTURE(seed);

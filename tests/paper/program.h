@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/random.h"
-#include "base/stopwatch.h"
 #include "base/triangle.h"
 #include "delaunay/voronoi.h"
 #include "io/volume/builtin_volume.h"

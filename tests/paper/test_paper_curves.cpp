@@ -158,19 +158,3 @@ TEST_CASE("a saddle exactly at the isovalue counts as inside, as in the contour"
     CHECK(count_loops(curves) == build_contour(volume, 0).summary.boundary_loops());
   }
 }
-
-TEST_CASE("a curve around a corner of the box has points on three of its edges") {
-  const Volume volume = sampled<float>({9, 9, 9}, {1, 1, 1}, [](int i, int j, int k) {
-    return 4.3 - std::sqrt(i * i + (8 - j) * (8 - j) + k * k);
-  });
-  const BoundaryCurves curves = marching_squares(volume, geometric_isovalue(volume.type(), 0));
-  CHECK(count_loops(curves) == 1);
-  std::set<int> faces;
-  int on_edges = 0;
-  for (const auto& edge : curves.edges) faces.insert(edge.face);
-  for (const Vec3& p : curves.points) {
-    on_edges += std::popcount(box_faces_at(p, volume.box())) == 2;
-  }
-  CHECK(faces == std::set<int>{0, 3, 4});
-  CHECK(on_edges == 3);
-}

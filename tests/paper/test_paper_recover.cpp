@@ -6,8 +6,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <optional>
 #include <set>
 
 #include "paper/poles.h"
@@ -17,7 +15,6 @@ using namespace deliso;
 using namespace deliso::test;
 using paper::BoundaryCurves;
 using paper::Reason;
-using paper::Recovery;
 using paper::Refusal;
 using paper::RestrictedDelaunay;
 
@@ -224,39 +221,6 @@ paper::Options with_lines(std::size_t lines, std::uint64_t seed) {
   return options;
 }
 
-// Ends a run at its first question.
-struct FirstQuestion : paper::Observer {
-  struct Asked {
-    Reason reason;
-    SiteId q;
-  };
-  void asks(Reason reason, Facet, SiteId q, double, const Vec3&) override {
-    throw Asked{reason, q};
-  }
-};
-
-// Returns the vertex whose facets ExtractManifold does not accept, if the curves were these.
-std::optional<SiteId> first_bad(Program& program, const BoundaryCurves& curves) {
-  const Triangulation& t = program.del().del();
-  std::vector<SiteId> ids;
-  for (const Vec3& p : curves.points) {
-    SiteId q = 1;
-    while (t.point(q) != p) ++q;
-    ids.push_back(q);
-  }
-  FirstQuestion first;
-  paper::Options options = program.options;
-  options.observer = &first;
-  Recovery recovery(program.del(), curves, ids, options, program.report);
-  try {
-    recovery.extract_manifold();
-  } catch (const FirstQuestion::Asked& asked) {
-    CHECK(step_of(asked.reason) == Step::extract_manifold);
-    return asked.q;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 TEST_CASE("MultiIntersect leaves no Voronoi edge that meets Sigma twice") {
@@ -309,57 +273,6 @@ TEST_CASE("ExtractManifold leaves disks, and half disks on the boundary curves a
   CHECK(splits > 50);
 }
 
-TEST_CASE("a half disk is good on the boundary curves, between its neighbors there") {
-  Program program(builtin("gyroid", 16), with_lines(50, 1));
-  program.recovery.multi_intersect();
-  program.recovery.extract_manifold();
-  const Triangulation& t = program.del().del();
-  const std::map<SiteId, std::vector<Triangle>> d = stars(stored_hits(program.del()));
-  // The curves as they are now: those edges that only one facet has.
-  std::map<std::pair<SiteId, SiteId>, int> uses;
-  for (const auto& [v, hits] : stored_hits(program.del())) {
-    for (const auto& [a, b] :
-         {std::pair(v[0], v[1]), std::pair(v[1], v[2]), std::pair(v[0], v[2])}) {
-      ++uses[{a, b}];
-    }
-  }
-  BoundaryCurves curves;
-  std::map<SiteId, std::uint32_t> number;
-  for (const auto& [edge, count] : uses) {
-    if (count != 1) continue;
-    for (const SiteId q : {edge.first, edge.second}) {
-      if (number.try_emplace(q, static_cast<std::uint32_t>(curves.points.size())).second) {
-        curves.points.push_back(t.point(q));
-      }
-    }
-    curves.edges.push_back({number[edge.first], number[edge.second], 0});
-  }
-  REQUIRE(curves.edges.size() > 100);
-  CHECK(!first_bad(program, curves));
-  const auto is_half_disk = [&](SiteId q) {
-    return classify_star(VertexId(q.number()), d.at(q)) == Star::half_disk;
-  };
-  // Nobody has marked the points.
-  BoundaryCurves none = curves;
-  none.edges.clear();
-  const std::optional<SiteId> unmarked = first_bad(program, none);
-  REQUIRE(unmarked);
-  CHECK(is_half_disk(*unmarked));
-  // A vertex with a disk is marked.
-  BoundaryCurves more = curves;
-  const auto inner = std::ranges::find_if(d, [&](const auto& star) {
-    return !is_half_disk(star.first) && !number.contains(star.first);
-  });
-  more.points.push_back(t.point(inner->first));
-  more.edges.push_back({0, static_cast<std::uint32_t>(curves.points.size()), 0});
-  CHECK(first_bad(program, more));
-  // All points are marked, but their neighbors are others.
-  BoundaryCurves wrong = curves;
-  for (auto& edge : wrong.edges)
-    edge.b = (edge.b + 7) % static_cast<std::uint32_t>(wrong.points.size());
-  CHECK(first_bad(program, wrong));
-}
-
 TEST_CASE("ApproximateGeom leaves no facet above r_min that violates a criterion") {
   struct Limits {
     double epsilon, lambda, r_min;
@@ -395,23 +308,6 @@ TEST_CASE("ApproximateGeom leaves no facet above r_min that violates a criterion
   // Facets up to r_min are left as they are.
   CHECK(vertices[4] > 0);
   CHECK(vertices[4] < vertices[1]);
-}
-
-TEST_CASE("Recover is its four steps") {
-  Watched run(builtin("linked_tori", 24), with_lines(10, 1));
-  run.program.recovery.recover();
-  REQUIRE(run.watch.steps.size() >= 3);
-  CHECK(run.watch.steps[0] == Step::multi_intersect);
-  CHECK(run.watch.steps[1] == Step::extract_manifold);
-  CHECK(run.watch.steps[2] == Step::approximate_geom);
-  CHECK(run.bad().empty());
-  Program by_hand(builtin("linked_tori", 24), with_lines(10, 1));
-  by_hand.recovery.multi_intersect();
-  by_hand.recovery.extract_manifold();
-  by_hand.recovery.approximate_geom(by_hand.options.epsilon);
-  by_hand.recovery.extract_manifold();
-  CHECK(by_hand.del().del().vertex_capacity() == run.program.del().del().vertex_capacity());
-  CHECK(by_hand.report.insertions_recover == run.watch.asked);
 }
 
 TEST_CASE("the last ExtractManifold mends what ApproximateGeom left") {

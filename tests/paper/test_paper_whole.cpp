@@ -185,16 +185,6 @@ TEST_CASE("a run stops after Recover; its stages are named, its steps told") {
   CHECK(std::equal(recovered.points.begin(), recovered.points.end(), whole.points.begin()));
 }
 
-TEST_CASE("the published parameters") {
-  const Options options;
-  CHECK(options.epsilon == 0.2);
-  CHECK(options.epsilon1 == 0.1);
-  CHECK(options.epsilon2 == 0.2);
-  CHECK(options.lambda == 2);
-  CHECK(options.r_min == 0.001);
-  CHECK(options.solver == CubicMethod::schwarze);
-}
-
 TEST_CASE("more vertices than asked for are an error, in either stage and in S_0") {
   const Field field = builtin("torus", 24);
   TriMesh mesh;
@@ -262,13 +252,9 @@ TEST_CASE("a surface that no line meets is an error; no surface is no mesh") {
 }
 
 TEST_CASE("the mesh has the volume's frame") {
-  Field field = builtin("sphere", 24);
+  const Field field = builtin("sphere", 24);
   const Frame frame{.origin = {1, 2, 3}};
-  std::vector<float> samples;
-  for_each_index({24, 24, 24}, [&](int i, int j, int k) {
-    samples.push_back(static_cast<float>(field.volume.sample(i, j, k)));
-  });
-  const Field moved{Volume::from_samples({24, 24, 24}, {1, 1, 1}, samples, frame), field.isovalue};
+  const Field moved{field.volume.with_frame(frame), field.isovalue};
   TriMesh mesh, in_place;
   ran(moved, few_vertices(), mesh);
   ran(field, few_vertices(), in_place);

@@ -51,13 +51,17 @@ def resident_bytes():
 
 
 class TestCase(in_folder.InFolder):
+    def bytes_of(self, name):
+        return pathlib.Path(self.path(name)).read_bytes()
+
+    def assert_same_bytes(self, name, other):
+        self.assertEqual(self.bytes_of(name), self.bytes_of(other))
+
     def saved(self, m):
         """The bytes of the mesh's file in each format."""
-        files = []
         for ending in ENDINGS:
             m.save(self.path("saved." + ending))
-            files.append(pathlib.Path(self.path("saved." + ending)).read_bytes())
-        return files
+        return [self.bytes_of("saved." + ending) for ending in ENDINGS]
 
 
 class TestMesh(TestCase):
@@ -74,8 +78,7 @@ class TestMesh(TestCase):
         theirs = self.path("theirs/mesh." + ending)
         run = self.program(array, "-q", "-o", theirs, *options)
         self.assertEqual(run.returncode, 0, run.stderr)
-        with open(self.path("mesh." + ending), "rb") as a, open(theirs, "rb") as b:
-            self.assertEqual(a.read(), b.read())
+        self.assert_same_bytes("mesh." + ending, "theirs/mesh." + ending)
         return m
 
     # The C library's test has the other formats.
@@ -281,8 +284,7 @@ class TestMesh(TestCase):
         m.save(self.path("mesh.ply"))
         ours = deliso.mesh(field(), 10.25, spacing=(1, 2, 3))
         ours.save(self.path("ours.ply"))
-        with open(self.path("mesh.ply"), "rb") as a, open(self.path("ours.ply"), "rb") as b:
-            self.assertEqual(a.read(), b.read())
+        self.assert_same_bytes("mesh.ply", "ours.ply")
         part = deliso.mesh(self.path("v.npy"), 10.25, roi="0:20,0:24,2:20")
         self.assertEqual(part.report["volume"]["dims"], [20, 24, 18])
         self.assertEqual(part.vertices[:, 2].min(), 2)
@@ -312,8 +314,7 @@ class TestMesh(TestCase):
             blocks = deliso.mesh_blocks(field(), 10.25, parts=2, **again)
             self.assertEqual(blocks.vertices.tobytes(), m.vertices.tobytes())
         pickle.loads(pickle.dumps(m)).save(self.path("m.ply"))
-        with open(self.path("m.ply"), "rb") as file:
-            self.assertIn(b"SPACE=LPS", file.read(200))
+        self.assertIn(b"SPACE=LPS", self.bytes_of("m.ply")[:200])
         # Of a file it asks for a space, and a check knows that of the mesh.
         with open(self.path("placed.nrrd"), "wb") as file:
             file.write(b"NRRD0004\ntype: double\nendian: little\ndimension: 3\nspace: LPS\nsizes: ")
@@ -354,8 +355,7 @@ class TestMesh(TestCase):
             theirs = self.path("theirs/all." + ending)
             command = [PROGRAM, self.path("v.nrrd"), "--label", "all", "-q", "-o", theirs]
             subprocess.run(command, check=True)
-            with open(self.path("all." + ending), "rb") as a, open(theirs, "rb") as b:
-                self.assertEqual(a.read(), b.read())
+            self.assert_same_bytes("all." + ending, "theirs/all." + ending)
         deliso.render(deliso.read(self.path("all.3mf")), self.path("all.png"), color_by="label")
 
     def test_shared_labels(self):
@@ -394,8 +394,7 @@ class TestMesh(TestCase):
             ours.save(self.path("all.vtp"))
             deliso.Labels(ours).save(self.path("all.glb"))
             for name in ("all.vtp", "all.glb"):
-                with open(self.path(name), "rb") as a, open(theirs + name, "rb") as b:
-                    self.assertEqual(a.read(), b.read())
+                self.assert_same_bytes(name, "theirs/" + name)
         for options in ({"label": 3}, {"label": "all", "check": True}, {"label": "all", "largest": 1}):
             with self.assertRaises(deliso.Error):
                 deliso.mesh(labels, shared=True, **options)
@@ -446,8 +445,7 @@ class TestMesh(TestCase):
         deliso.render(m, self.path("ours.png"), **options)
         more = [self.path("m.ply"), "-q", "--size", "300x200", "--color-by", "component"]
         subprocess.run([PROGRAM, "render", *more, "-o", self.path("theirs.png")], check=True)
-        with open(self.path("ours.png"), "rb") as a, open(self.path("theirs.png"), "rb") as b:
-            self.assertEqual(a.read(), b.read())
+        self.assert_same_bytes("ours.png", "theirs.png")
         pair = [(m.vertices, m.triangles[1:]), self.path("m.ply")]
         deliso.render(pair, self.path("pair.png"), labels="before/after")
         numpy.save(self.path("v.npy"), field())

@@ -139,24 +139,3 @@ TEST_CASE("the certificate holds when every vertex of T is a site, and the dual 
     CHECK(dual.size() == contour.triangles.size());
   }
 }
-
-TEST_CASE("a region that is a whole torus breaks C1") {
-  // One site for a whole torus: the region is closed, its Euler number 0.
-  const Scene scene = builtin_scene("torus", 16);
-  std::vector<Vec3> points = {scene.contour.points[0]};
-  for (const Vec3& corner : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
-    points.push_back(1000 * corner);
-  }
-  Triangulation t;
-  std::vector<SiteId> ids;
-  REQUIRE(t.build(points, ids));
-  const Labels labels(scene.contour, t);
-  Certificate certificate(labels);
-  std::vector<DualFacet> facets;
-  const Verdict verdict = certificate.check(ids[0], 0, facets);
-  CHECK(verdict.violation == paper::Reason::region);
-  REQUIRE(verdict.insert != kNoId);
-  for (const Vec3& p : scene.contour.points) {
-    CHECK(distance(p, points[0]) <= distance(scene.contour.points[verdict.insert], points[0]));
-  }
-}

@@ -130,10 +130,12 @@ const char* fault_of(const Cubic& b, const Oracle& oracle, const Roots& found, d
 // Checks both methods; on failure says which case it was.
 bool check_case(const Cubic& b, std::uint64_t seed, double& residual, std::uint64_t& found) {
   const Oracle oracle(b);
+  const int other_count = crossings(b, CubicMethod::schwarze).count;
   for (const CubicMethod method : {CubicMethod::isolation, CubicMethod::schwarze}) {
     const Roots roots = crossings(b, method);
     found += static_cast<std::uint64_t>(roots.count);
     const char* broken = fault_of(b, oracle, roots, residual);
+    if (!broken && roots.count != other_count) broken = "the methods differ";
     if (!broken) continue;
     const std::string fault = broken;
     CAPTURE(fault);
@@ -227,6 +229,10 @@ TEST_CASE("random cubics: both solvers agree with bisection") {
     Random random(seed);
     Cubic b;
     for (double& a : b) a = random.uniform(-1, 1);
+    // With b[3] = 0 there is a root at the end besides the crossing before it. Newton's method,
+    // started on the chord, once stayed there: the count was right, the place wrong.
+    if (seed % 8 == 0) b[random.below(4)] = 0;
+    if (seed % 8 == 1) b[3 * random.below(2)] = -0.0;
     if (!check_case(b, seed, residual, found)) break;
   }
   MESSAGE("largest |p| / max |b| at a crossing: " << residual);
@@ -243,61 +249,4 @@ TEST_CASE("adversarial cubics: double, triple, close, vanishing, at the ends") {
   }
   MESSAGE("largest |p| / max |b| at a crossing: " << residual);
   CHECK(found > kTrials / 2);
-}
-
-namespace {
-
-double bernstein(const Cubic& b, double t) {
-  const double u = 1 - t;
-  return u * u * u * b[0] + 3 * u * t * (u * b[1] + t * b[2]) + t * t * t * b[3];
-}
-
-}  // namespace
-
-// With b[3] = 0 there is a root at the end besides the crossing before it. Newton's method, started
-// on the chord, once stayed there: the count was right, the place wrong.
-TEST_CASE("crossings are where the sign changes, and alternate") {
-  std::uint64_t found = 0;
-  double residual = 0;
-  constexpr std::uint64_t kTrials = 1'000'000;
-  for (std::uint64_t seed = 0; seed < kTrials; ++seed) {
-    Random random(seed);
-    Cubic b;
-    const double close = std::ldexp(1.0, -static_cast<int>(random.below(60)));
-    const std::uint32_t kind = random.below(7);
-    for (double& a : b) a = random.uniform(-1, 1);
-    if (kind == 1) b = {1, 1.0 / 3 - 2.0 / 3 + close * b[0], 1.0 / 3 - 2.0 / 3, 1};  // near a touch
-    if (kind == 2) b = {b[0], close * b[1], close * b[2], close * b[3]};
-    if (kind == 3) b[random.below(4)] = 0;
-    if (kind == 4) b = {b[0], b[0] + close * b[1], b[0] - close * b[2], -b[0]};
-    if (kind == 5) b[0] = -0.0;
-    if (kind == 6) b[3 * random.below(2)] *= close;
-    const double size = largest_of(b);
-
-    Roots by[2];
-    for (const CubicMethod method : {CubicMethod::isolation, CubicMethod::schwarze}) {
-      CAPTURE(seed);
-      CAPTURE(static_cast<int>(method));
-      const Roots roots = by[static_cast<std::size_t>(method)] = crossings(b, method);
-      if ((roots.count % 2 == 1) != ((b[0] >= 0) != (b[3] >= 0))) FAIL("parity");
-      double before = 0;
-      for (const double t : roots) {
-        if (!(before <= t && t <= 1)) FAIL("not increasing in [0, 1]");
-        residual = std::max(residual, std::abs(bernstein(b, t)) / size);
-        before = t;
-      }
-      found += static_cast<std::uint64_t>(roots.count);
-      for (int n = 0; n < 8; ++n) {
-        const double t = random.uniform(), f = bernstein(b, t);
-        const auto passed =
-            std::count_if(roots.begin(), roots.end(), [t](double root) { return root < t; });
-        if (std::abs(f) > 1e-10 * size && ((f >= 0) != (b[0] >= 0)) != (passed % 2 == 1))
-          FAIL("not where the sign changes");
-      }
-    }
-    if (by[0].count != by[1].count) FAIL("the methods differ");
-  }
-  MESSAGE("largest |p| / max |b| at a crossing: " << residual);
-  CHECK(residual <= kResidual);
-  CHECK(found > kTrials);
 }

@@ -5,9 +5,6 @@
 // side of a block, 4 to 8 voxels. Each volume is meshed in one thread and in 2, 3, 8 or 16. Exit
 // status 1 when the two differ in a byte, or check finds a fault other than a triangle over a
 // limit: another topology than the surface, two triangles that cross, a solid that is open.
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
@@ -156,24 +153,16 @@ int main(int argc, char** argv) {
     if (list && !fault.empty()) {
       const Index3 n = tiny.volume.dims();
       const std::string file = file_of_seed(kProgram, seed, tiny.volume);
-      std::printf(
-          "seed %llu %s %dx%dx%d %s: %s\n  deliso %s --iso %.17g --block-side %d%s%s%s --check\n",
-          static_cast<unsigned long long>(seed), std::string(name_of(kind_of(seed))).c_str(), n.i,
-          n.j, n.k, std::string(name_of(tiny.volume.type())).c_str(), fault.c_str(), file.c_str(),
-          tiny.isovalue, options.block_side, options.cap ? " --cap" : "",
+      say("seed ", seed, " ", name_of(kind_of(seed)), " ", n.i, "x", n.j, "x", n.k, " ",
+          name_of(tiny.volume.type()), ": ", fault, "\n  deliso ", file, " --iso ", tiny.isovalue,
+          " --block-side ", options.block_side, options.cap ? " --cap" : "",
           options.components.largest > 0 ? " --largest 2" : "",
-          options.has_target() ? " --vertices 60" : "");
-      std::fflush(stdout);
+          options.has_target() ? " --vertices 60" : "", " --check");
     }
   }
-  std::printf(
-      "%llu volumes: %llu with a fault, %llu nearly flat on itself, %llu refused, %llu another "
-      "mesh in other threads; %llu "
-      "coarsened again; %llu triangles\n",
-      static_cast<unsigned long long>(count), static_cast<unsigned long long>(faulty),
-      static_cast<unsigned long long>(close), static_cast<unsigned long long>(refused),
-      static_cast<unsigned long long>(differing), static_cast<unsigned long long>(again_coarsened),
-      static_cast<unsigned long long>(triangles));
+  say(count, " volumes: ", faulty, " with a fault, ", close, " nearly flat on itself, ", refused,
+      " refused, ", differing, " another mesh in other threads; ", again_coarsened,
+      " coarsened again; ", triangles, " triangles");
   if (faulty + refused + differing > 0) tell_next_step(kProgram);
   return faulty + refused + differing > 0 || 2 * close > count;
 }

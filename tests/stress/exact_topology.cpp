@@ -70,11 +70,9 @@ int main(int argc, char** argv) {
     if (found == *expected) continue;
     ++row.different;
     const TriMesh contour = test::contour_mesh(build_contour(tiny.volume, kappa), {});
-    std::printf("seed %llu (%s, %s): %zu components, exactly %zu%s\n",
-                static_cast<unsigned long long>(seed),
-                kNames[is_wide ? static_cast<int>(kind) : kWideKinds],
-                file_of_seed(kProgram, seed, tiny.volume).c_str(), found.size(), expected->size(),
-                test::see(text(kProgram, "-", seed), {{"contour", contour}}, {}).c_str());
+    say("seed ", seed, " (", kNames[is_wide ? static_cast<int>(kind) : kWideKinds], ", ",
+        file_of_seed(kProgram, seed, tiny.volume), "): ", found.size(), " components, exactly ",
+        expected->size(), test::see(text(kProgram, "-", seed), {{"contour", contour}}, {}));
   }
   std::printf("%-14s %10s %10s %10s %10s\n", "kind", "volumes", "different", "undecided",
               "components");

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -170,23 +169,16 @@ int run_all(std::uint64_t first, std::uint64_t count, bool listed) {
         faults += verdict.faults;
         for (std::size_t n = 0; n < other.size(); ++n) other[n] += verdict.other[n];
         all += std::ranges::count(verdict.other, true) > 0;
-        if (listed && verdict.what[0] != 0) {
-          std::printf("seed %llu%s\n", static_cast<unsigned long long>(seed), verdict.what);
-        }
+        if (listed && verdict.what[0] != 0) say("seed ", seed, verdict.what);
       },
       [&](std::uint64_t seed, bool hung) {
         ++dead;
-        std::printf("seed %llu %s\n", static_cast<unsigned long long>(seed),
-                    hung ? "hung" : "crashed");
+        say("seed ", seed, hung ? " hung" : " crashed");
       });
   if (!forked) return 2;
-  std::printf("%llu meshes with %llu faults; another report:",
-              static_cast<unsigned long long>(meshed), static_cast<unsigned long long>(faults));
-  for (std::size_t n = 1; n < other.size(); ++n) {
-    std::printf(" %s %llu", std::string(kFrames[n]).c_str(),
-                static_cast<unsigned long long>(other[n]));
-  }
-  std::printf("; crashed or hung %llu\n", static_cast<unsigned long long>(dead));
+  std::string told = text(meshed, " meshes with ", faults, " faults; another report:");
+  for (std::size_t n = 1; n < other.size(); ++n) told += text(" ", kFrames[n], " ", other[n]);
+  say(told, "; crashed or hung ", dead);
   return all + dead > 0 || 2 * meshed < count;
 }
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <exception>
 #include <string>
@@ -22,7 +21,6 @@
 #include "io/damage.h"
 #include "io/mesh/mesh_files.h"
 #include "io/mesh/write_mesh.h"
-#include "io/volume/builtin_fields.h"
 #include "io/volume/builtin_volume.h"
 #include "io/volume/volume_files.h"
 #include "mesh/meshes.h"
@@ -310,8 +308,7 @@ bool run_seed(std::uint64_t seed, const std::vector<Base>& bases, bool list) {
     for (const std::string& word : words) story += " " + word;
     story += ": " + fault;
   }
-  if (list || !is_sound) std::printf("%s\n", story.c_str());
-  std::fflush(stdout);
+  if (list || !is_sound) say(story);
   return is_sound;
 }
 
@@ -344,12 +341,10 @@ int main(int argc, char** argv) {
       },
       [&](std::uint64_t seed, bool hung) {
         ++faults;
-        std::printf("seed %llu: FAULT: %s\n", static_cast<unsigned long long>(seed),
-                    hung ? "hung" : "crashed");
+        say("seed ", seed, ": FAULT: ", hung ? "hung" : "crashed");
       });
   if (!forked) return 2;
-  std::printf("%llu meshes, %llu faults; the slowest took %.2f s of processor time (seed %llu)\n",
-              static_cast<unsigned long long>(count), static_cast<unsigned long long>(faults),
-              slowest, static_cast<unsigned long long>(slowest_seed));
+  say(count, " meshes, ", faults, " faults; the slowest took ", slowest,
+      " s of processor time (seed ", slowest_seed, ")");
   return faults > 0;
 }

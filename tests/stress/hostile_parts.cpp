@@ -7,9 +7,7 @@
 // these, crashes, or works for more than 20 s.
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstring>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -208,9 +206,7 @@ int main(int argc, char** argv) {
   std::array<std::uint64_t, kOutcomes.size()> outcomes{};
   std::uint64_t lost = 0;
   const auto print = [](std::uint64_t seed, std::string_view outcome, const char* what) {
-    std::printf("seed %llu: %s %s\n", static_cast<unsigned long long>(seed),
-                std::string(outcome).c_str(), what);
-    std::fflush(stdout);
+    say("seed ", seed, ": ", outcome, " ", what);
   };
   const bool forked = run_in_children<EditVerdict>(
       first, first + count, kMostSeconds, run_seed,
@@ -224,13 +220,11 @@ int main(int argc, char** argv) {
         print(seed, hung ? "HUNG" : "CRASHED", "");
       });
   if (!forked) return 2;
-  std::printf("%llu edits: %llu crashed or hung", static_cast<unsigned long long>(count),
-              static_cast<unsigned long long>(lost));
+  std::string told = text(count, " edits: ", lost, " crashed or hung");
   for (std::size_t n = 0; n < kOutcomes.size(); ++n) {
-    std::printf(", %llu %s", static_cast<unsigned long long>(outcomes[n]),
-                std::string(kOutcomes[n]).c_str());
+    told += text(", ", outcomes[n], " ", kOutcomes[n]);
   }
-  std::printf("\n");
+  say(told);
   const auto of = [&](Outcome outcome) { return outcomes[static_cast<std::size_t>(outcome)]; };
   return lost > 0 || of(Outcome::wrong) > 0 || 2 * of(Outcome::none) > count;
 }

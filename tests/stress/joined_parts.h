@@ -2,7 +2,6 @@
 // Parts of a mesh, made and joined as the program does it, but in memory.
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>

@@ -2,7 +2,6 @@
 // Meshes a volume, checks the mesh in every way there is, and says what was found.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -42,7 +41,6 @@ inline Verdict judge(const Volume& volume, const TriMesh& mesh, const Options& o
   Verdict verdict;
   VerifyOptions how;
   how.components = options.components;
-  how.restricted_share = 0;
   const Verification v = verify(mesh, volume, report.kappa_effective, how);
   faults = v.faults;
   std::string fault = check_mesh(mesh);

@@ -33,6 +33,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/text.h"
+#include "check/check_mesh.h"
 #include "check/place_faults.h"
 #include "check/quality.h"
 #include "mesh/tri_mesh.h"
@@ -223,7 +224,7 @@ inline bool has_largest_bodies(const Partition& partition) {
   return is_largest;
 }
 
-// What triangles are, from their corners alone.
+// What triangles are, as the checkers count it from their corners.
 struct Surface {
   std::string fault;  // empty: a manifold, oriented, which ends on the box only
   TopologyCounts counts;
@@ -231,73 +232,11 @@ struct Surface {
 
 inline Surface surface_of(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                           const Box3& box) {
-  struct Use {
-    std::array<VertexId, 2> ends;  // ascending
-    std::size_t triangle;
-    int side;  // from this corner to the next
-    bool forward;
-    bool operator<(const Use& b) const { return ends < b.ends; }
-  };
-  std::vector<Use> uses;
-  std::set<VertexId> vertices;
-  for (std::size_t f = 0; f < triangles.size(); ++f) {
-    for (int i = 0; i < 3; ++i) {
-      const VertexId a = triangles[f][i], b = triangles[f][(i + 1) % 3];
-      if (a == b) return {text("triangle ", f, " has a corner twice"), {}};
-      uses.push_back({{std::min(a, b), std::max(a, b)}, f, i, a < b});
-      vertices.insert(a);
-    }
-  }
-  std::stable_sort(uses.begin(), uses.end());
-  // Triangles at a vertex that hang together by edges there are a fan.
-  DisjointSets corners(3 * triangles.size()), pieces(triangles.size());
-  std::map<VertexId, VertexId> boundary;  // from the beginning of an edge to its end
-  std::int64_t edges = 0;
-  for (std::size_t n = 0, m = 0; n < uses.size(); n = m, ++edges) {
-    const Use &one = uses[n], &other = uses[n + 1 < uses.size() ? n + 1 : n];
-    while (m < uses.size() && uses[m].ends == one.ends) ++m;
-    const auto [a, b] = one.ends;
-    if (m - n > 2) return {text(m - n, " triangles at the edge ", a, " ", b), {}};
-    if (m - n == 1) {
-      if ((box_faces_at(points[a], box) & box_faces_at(points[b], box)) == 0) {
-        return {text("the edge ", a, " ", b, " of one triangle is not on the box"), {}};
-      }
-      boundary[one.forward ? a : b] = one.forward ? b : a;
-      continue;
-    }
-    if (one.forward == other.forward) return {text("two directions at the edge ", a, " ", b), {}};
-    // The corner at the beginning of one is at the end of the other.
-    const auto corner = [](const Use& use, int end) {
-      return static_cast<std::uint32_t>(3 * use.triangle) +
-             static_cast<std::uint32_t>((use.side + end) % 3);
-    };
-    corners.unite(corner(one, 0), corner(other, 1));
-    corners.unite(corner(one, 1), corner(other, 0));
-    pieces.unite(static_cast<std::uint32_t>(one.triangle),
-                 static_cast<std::uint32_t>(other.triangle));
-  }
-  const auto sets = [](DisjointSets& all, std::size_t count) {
-    std::uint64_t found = 0;
-    for (std::uint32_t n = 0; n < count; ++n) found += all.find(n) == n;
-    return found;
-  };
-  const std::uint64_t fans = sets(corners, 3 * triangles.size());
-  if (fans != vertices.size()) {
-    return {text(vertices.size(), " vertices have ", fans, " fans of triangles"), {}};
-  }
-  Surface surface;
-  surface.counts.components = sets(pieces, triangles.size());
-  surface.counts.euler = static_cast<std::int64_t>(vertices.size()) - edges +
-                         static_cast<std::int64_t>(triangles.size());
-  while (!boundary.empty()) {
-    ++surface.counts.boundary_loops;
-    for (auto at = boundary.begin(); at != boundary.end();) {
-      const VertexId next = at->second;
-      boundary.erase(at);
-      at = boundary.find(next);
-    }
-  }
-  return surface;
+  const TriMesh mesh = make_tri_mesh(points, triangles);
+  std::string fault = check_mesh(mesh);
+  if (fault.empty()) fault = check_boundary_on_box(mesh, box);
+  if (!fault.empty()) return {fault, {}};
+  return {fault, mesh_topology(mesh).counts()};
 }
 
 inline std::string text_of(const TopologyCounts& counts) {
@@ -480,33 +419,16 @@ inline Borders borders_of(const LabelComplex& complex, const Partition& partitio
 }
 
 // Components and Euler number of the facets between two bodies, with their corners and edges.
-struct SheetCounts {
-  std::size_t components = 0;
-  std::int64_t euler = 0;
-  friend bool operator==(const SheetCounts&, const SheetCounts&) = default;
-};
+using SheetCounts = std::pair<std::size_t, std::int64_t>;
 
 inline std::map<std::array<BodyId, 2>, SheetCounts> sheet_counts(
-    std::size_t points, std::span<const InterfaceFacet> facets) {
+    const std::vector<Vec3>& points, std::span<const InterfaceFacet> facets) {
   std::map<std::array<BodyId, 2>, std::vector<Triangle>> sheets;
   for (const InterfaceFacet& facet : facets) sheets[facet.bodies].push_back(facet.v);
   std::map<std::array<BodyId, 2>, SheetCounts> counts;
   for (const auto& [bodies, triangles] : sheets) {
-    DisjointSets pieces(points);
-    std::set<VertexId> vertices;
-    std::set<std::array<VertexId, 2>> edges;
-    for (const Triangle& t : triangles) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto [a, b] = std::minmax(t[i], t[(i + 1) % 3]);
-        vertices.insert(t[i]);
-        edges.insert({a, b});
-        pieces.unite(a, b);
-      }
-    }
-    SheetCounts& of = counts[bodies];
-    for (const VertexId v : vertices) of.components += pieces.find(v) == v;
-    of.euler = static_cast<std::int64_t>(vertices.size() + triangles.size()) -
-               static_cast<std::int64_t>(edges.size());
+    const MeshTopology topology = mesh_topology(make_tri_mesh(points, triangles));
+    counts[bodies] = {topology.components.size(), topology.euler()};
   }
   return counts;
 }
@@ -522,14 +444,14 @@ inline std::string mesh_fault(const Partition& partition, const LabelOracle& ora
   if (!fault.empty()) return fault;
   const Borders borders =
       borders_of(label_complex(partition, {{0, 0, 0}, partition.shape().voxels()}), partition, cap);
-  const auto expected_sheets = sheet_counts(borders.points.size(), borders.facets);
-  auto sheets = sheet_counts(mesh.points.size(), mesh.facets);
+  const auto expected_sheets = sheet_counts(borders.points, borders.facets);
+  auto sheets = sheet_counts(mesh.points, mesh.facets);
   for (const auto& [bodies, expected] : expected_sheets) {
     const SheetCounts& found = sheets[bodies];
     if (found == expected) continue;
-    return text("between the bodies ", bodies[0], " and ", bodies[1], ": ", found.components,
-                " components, Euler number ", found.euler, ", in T_L ", expected.components,
-                " and ", expected.euler);
+    return text("between the bodies ", bodies[0], " and ", bodies[1], ": ", found.first,
+                " components, Euler number ", found.second, ", in T_L ", expected.first, " and ",
+                expected.second);
   }
   if (sheets.size() != expected_sheets.size()) return "bodies meet that do not in T_L";
   for (std::size_t f = 0; f < mesh.facets.size(); ++f) {

@@ -15,7 +15,6 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -101,8 +100,7 @@ void see(std::uint64_t seed, const Partition& partition, const InterfaceMesh& me
   const std::string commands = test::see(
       name, {{"mesh", all}, {"contour", as_mesh(complex.sheets.points, complex.sheets.facets)}},
       {{"fault", test::facets_alone(all, test::facets_at_fault(all, {}))}});
-  std::printf("%s is seen by%s\n", name.c_str(), commands.c_str());
-  std::fflush(stdout);
+  say(name, " is seen by", commands);
 }
 
 std::string fault_of_mesh(std::uint64_t seed, const Partition& partition, Verdict& verdict) {
@@ -147,37 +145,17 @@ void list(std::uint64_t seed, std::string_view what) {
   const Index3 n = labels.volume.dims();
   const Vec3 s = labels.volume.spacing();
   const std::string file = file_of_seed(kProgram, seed, labels.volume);
-  const std::string line =
-      text("seed ", seed, " ", name_of(label_kind_of(seed)), " ", n.i, "x", n.j, "x", n.k, " ", s.x,
-           ":", s.y, ":", s.z, ": ", what, "\n  deliso ", file, " --label all --shared shared.ply",
-           labels.words(), draw_options(seed).words);
-  std::printf("%s\n", line.c_str());
-  std::fflush(stdout);
+  say("seed ", seed, " ", name_of(label_kind_of(seed)), " ", n.i, "x", n.j, "x", n.k, " ", s.x, ":",
+      s.y, ":", s.z, ": ", what, "\n  deliso ", file, " --label all --shared shared.ply",
+      labels.words(), draw_options(seed).words);
 }
 
-struct Row {
-  std::uint64_t volumes = 0, faulty = 0, refused = 0, differing = 0, died = 0, facets = 0;
-  double seconds = 0;
-
-  void print(std::string_view name) const {
-    std::printf("%-9s", std::string(name).c_str());
-    for (const std::uint64_t count : {volumes, faulty, refused, differing, died, facets}) {
-      std::printf(" %9llu", static_cast<unsigned long long>(count));
-    }
-    std::printf(" %9.1f\n", seconds);
-  }
-  void operator+=(const Row& b) {
-    volumes += b.volumes;
-    faulty += b.faulty;
-    refused += b.refused;
-    differing += b.differing;
-    died += b.died;
-    facets += b.facets;
-    seconds += b.seconds;
-  }
-};
+constexpr std::array<std::string_view, 6> kColumns{"volumes",   "faulty", "refused",
+                                                   "differing", "died",   "facets"};
+constexpr std::size_t kFaulty = 1;
 
 int run_all(const Seeds& seeds, bool only_complex) {
+  using Row = stress::Row<kColumns.size()>;
   std::array<Row, kLabelKinds> rows;
   const auto row_of = [&](std::uint64_t seed) -> Row& { return rows[seed % kLabelKinds]; };
   const bool forked = run_in_children<Verdict>(
@@ -186,27 +164,23 @@ int run_all(const Seeds& seeds, bool only_complex) {
       [&](std::uint64_t seed, const Verdict& verdict) {
         const bool is_faulty = verdict.fault[0] != 0;
         row_of(seed) +=
-            {1, is_faulty, verdict.refused, verdict.differs, 0, verdict.facets, verdict.seconds};
+            {{1, is_faulty, verdict.refused, verdict.differs, 0, verdict.facets}, verdict.seconds};
         if (is_faulty && seeds.list) list(seed, verdict.fault);
       },
       [&](std::uint64_t seed, bool hung) {
-        row_of(seed) += {1, 1, 0, 0, 1, 0, 0};
+        row_of(seed) += {{1, 1, 0, 0, 1, 0}, 0};
         list(seed, hung ? "hung" : "crashed");
       });
   if (!forked) return 2;
-  std::printf("%-9s", "kind");
-  for (const char* column : {"volumes", "faulty", "refused", "differing", "died", "facets", "s"}) {
-    std::printf(" %9s", column);
-  }
-  std::printf("\n");
+  print_columns("kind", kColumns);
   Row all;
   for (std::uint64_t kind = 0; kind < kLabelKinds; ++kind) {
     rows[kind].print(name_of(static_cast<LabelKind>(kind)));
     all += rows[kind];
   }
   all.print("all");
-  if (all.faulty > 0) tell_next_step(kProgram);
-  return all.faulty > 0;
+  if (all[kFaulty] > 0) tell_next_step(kProgram);
+  return all[kFaulty] > 0;
 }
 
 }  // namespace

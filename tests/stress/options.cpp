@@ -34,10 +34,8 @@
 #include <ctime>
 #include <exception>
 #include <filesystem>
-#include <functional>
 #include <initializer_list>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -72,8 +70,14 @@ constexpr std::string_view kProgram = "stress_options";
 
 enum Kind : std::size_t { broken, turned, check, spike, far, slow, asked, close };
 constexpr std::size_t kKinds = 8;
-constexpr std::array<std::string_view, kKinds> kKindNames{"broken", "turned", "check", "spike",
-                                                          "far",    "slow",   "asked", "close"};
+
+// The columns of the table: the kinds of faults come last.
+enum Column : std::size_t { drawn, refused, crashed, hung };
+constexpr std::size_t kFirstKind = 4;
+constexpr std::array<std::string_view, kFirstKind + kKinds> kColumns{
+    "drawn", "refused", "crashed", "hung", "broken", "turned",
+    "check", "spike",   "far",     "slow", "asked",  "close"};
+using Counts = Row<kColumns.size()>;
 
 // Most of the meshes, one in so many, that may have close places: a plateau at the isovalue, where
 // Sigma lies on itself in many voxels, may keep some.
@@ -284,7 +288,7 @@ Verdict run_seed(std::uint64_t seed, const std::string& file) {
     for (std::size_t n = 0; n < kKinds; ++n) {
       if (found[n].empty()) continue;
       (others[n].empty() ? verdict.found : verdict.by_others)[n] = true;
-      words += text(words.empty() ? "" : "; ", kKindNames[n],
+      words += text(words.empty() ? "" : "; ", kColumns[kFirstKind + n],
                     others[n].empty() ? ": " : " (without it too): ", found[n]);
     }
     if (!words.empty() && with.field) {
@@ -313,51 +317,24 @@ void list(std::uint64_t seed, const std::string& what) {
   const OptionVolume volume = make_option_volume(seed);
   const Index3 n = volume.tiny.volume.dims();
   const Vec3 s = volume.tiny.volume.spacing();
-  const std::string head = text("seed ", seed, " ", volume.kind, " ", n.i, "x", n.j, "x", n.k, " ",
-                                s.x, ":", s.y, ":", s.z, ": ", what);
   const std::string file = file_of_seed(kProgram, seed, volume.tiny.volume);
-  std::printf("%s\n  %s\n", head.c_str(), command_text(seed, file, true).c_str());
-  std::fflush(stdout);
+  say("seed ", seed, " ", volume.kind, " ", n.i, "x", n.j, "x", n.k, " ", s.x, ":", s.y, ":", s.z,
+      ": ", what, "\n  ", command_text(seed, file, true));
 }
 
-struct Row {
-  std::uint64_t drawn = 0, refused = 0, crashed = 0, hung = 0;
-  std::array<std::uint64_t, kKinds> found{};
-  double seconds = 0;
-
-  void operator+=(const Row& b) {
-    drawn += b.drawn;
-    refused += b.refused;
-    crashed += b.crashed;
-    hung += b.hung;
-    for (std::size_t n = 0; n < kKinds; ++n) found[n] += b.found[n];
-    seconds += b.seconds;
-  }
-  std::uint64_t faults() const {
-    std::uint64_t sum = crashed + hung;
-    for (const std::uint64_t n : found) sum += n;
-    return sum - found[close];
-  }
-};
-
-void print_row(std::string_view name, const Row& r) {
-  std::printf("%-16s", std::string(name).c_str());
-  for (const std::uint64_t count : {r.drawn, r.refused, r.crashed, r.hung}) {
-    std::printf(" %7llu", static_cast<unsigned long long>(count));
-  }
-  for (const std::uint64_t count : r.found) {
-    std::printf(" %7llu", static_cast<unsigned long long>(count));
-  }
-  std::printf(" %7.1f\n", r.seconds);
+std::uint64_t faults_of(const Counts& row) {
+  std::uint64_t sum = 0;
+  for (std::size_t n = crashed; n < kColumns.size(); ++n) sum += row[n];
+  return sum - row[kFirstKind + close];
 }
 
 int run_all(std::uint64_t first, std::uint64_t count, bool listed) {
-  std::map<const DrawnOption*, Row> rows;
-  Row others;
+  std::map<const DrawnOption*, Counts> rows;
+  Counts others;
   std::uint64_t mended = 0;
-  const auto row_of = [&](std::uint64_t seed) -> Row& {
-    Row& row = rows[draw_options(seed, make_option_volume(seed)).first];
-    ++row.drawn;
+  const auto row_of = [&](std::uint64_t seed) -> Counts& {
+    Counts& row = rows[draw_options(seed, make_option_volume(seed)).first];
+    ++row[drawn];
     return row;
   };
   const std::string file =
@@ -366,8 +343,8 @@ int run_all(std::uint64_t first, std::uint64_t count, bool listed) {
   const bool forked = run_in_children<Verdict>(
       first, first + count, 60, [&](std::uint64_t seed) { return run_seed(seed, file); },
       [&](std::uint64_t seed, const Verdict& verdict) {
-        Row& row = row_of(seed);
-        row.refused += verdict.refused;
+        Counts& row = row_of(seed);
+        row[refused] += verdict.refused;
         row.seconds += verdict.seconds;
         const KnownFailure* known = known_failure(seed);
         if (known && known->is(verdict.what)) {
@@ -379,42 +356,36 @@ int run_all(std::uint64_t first, std::uint64_t count, bool listed) {
           list(seed, text("no longer '", known->fault, "': its row in known_failures.h goes"));
         }
         for (std::size_t n = 0; n < kKinds; ++n) {
-          row.found[n] += verdict.found[n];
-          others.found[n] += verdict.by_others[n];
+          row[kFirstKind + n] += verdict.found[n];
+          others[kFirstKind + n] += verdict.by_others[n];
         }
         if (listed && !verdict.refused && verdict.what[0] != 0) list(seed, verdict.what);
       },
-      [&](std::uint64_t seed, bool hung) {
-        Row& row = row_of(seed);
-        ++(hung ? row.hung : row.crashed);
-        list(seed, hung ? "hung" : "crashed");
+      [&](std::uint64_t seed, bool has_hung) {
+        ++row_of(seed)[has_hung ? hung : crashed];
+        list(seed, has_hung ? "hung" : "crashed");
       });
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
   std::filesystem::remove(file + ".ply", ignored);
   if (!forked) return 2;
 
-  std::printf("%-16s", "first option");
-  for (const char* column : {"drawn", "refused", "crashed", "hung"}) std::printf(" %7s", column);
-  for (const std::string_view column : kKindNames) std::printf(" %7s", std::string(column).c_str());
-  std::printf(" %7s\n", "CPU s");
-  Row all = others;
+  print_columns("first option", kColumns);
+  Counts all = others;
   for (const DrawnOption& option : drawn_options()) {
-    print_row(option.name, rows[&option]);
+    rows[&option].print(option.name);
     all += rows[&option];
   }
-  print_row("(by others)", others);
-  print_row("all", all);
-  if (all.faults() > 0) tell_next_step(kProgram);
-  return all.faults() + mended > 0 || 2 * all.refused > all.drawn ||
-         kMeshesPerClose * all.found[close] > all.drawn - all.refused + kMeshesPerClose;
+  others.print("(by others)");
+  all.print("all");
+  if (faults_of(all) > 0) tell_next_step(kProgram);
+  return faults_of(all) + mended > 0 || 2 * all[refused] > all[drawn] ||
+         kMeshesPerClose * all[kFirstKind + close] > all[drawn] - all[refused] + kMeshesPerClose;
 }
 
 int write_one(std::uint64_t seed, const std::string& path) {
   write_files(make_option_volume(seed), path);
-  for (const bool with_first : {true, false}) {
-    std::printf("%s\n", command_text(seed, path, with_first).c_str());
-  }
+  for (const bool with_first : {true, false}) say(command_text(seed, path, with_first));
   return 0;
 }
 

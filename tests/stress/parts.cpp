@@ -208,8 +208,7 @@ void list(std::uint64_t seed, std::string_view what) {
   const std::string file = file_of_seed(kProgram, seed, make_case(seed, "").volume.tiny.volume);
   std::string line = text("seed ", seed, ": ", what, "\n  deliso");
   for (const std::string& word : make_case(seed, file).words) line += " " + word;
-  std::printf("%s\n", line.c_str());
-  std::fflush(stdout);
+  say(line);
 }
 
 int run_all(std::uint64_t first, std::uint64_t count, bool listed) {
@@ -241,16 +240,15 @@ int run_all(std::uint64_t first, std::uint64_t count, bool listed) {
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
   if (!forked) return 2;
-  std::printf("%llu seeds", static_cast<unsigned long long>(count));
+  std::string told = text(count, " seeds");
   for (std::size_t n = 0; n < kOutcomes.size(); ++n) {
-    std::printf(", %llu %s", static_cast<unsigned long long>(outcomes[n]),
-                std::string(kOutcomes[n]).c_str());
+    told += text(", ", outcomes[n], " ", kOutcomes[n]);
   }
-  std::printf(", %llu crashed or hung\n", static_cast<unsigned long long>(crashed));
+  say(told, ", ", crashed, " crashed or hung");
   bool all_tested = true;
   for (const DrawnOption& option : drawn_options()) {
     if (count < rows || tested.count(option.name) > 0) continue;
-    std::printf("never tested: %s\n", std::string(option.name).c_str());
+    say("never tested: ", option.name);
     all_tested = false;
   }
   const bool faulty = outcomes[Verdict::fault] > 0 || crashed > 0;

@@ -6,13 +6,13 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "base/text.h"
 #include "check/faults.h"
 #include "contour/contour.h"
 #include "see.h"
+#include "stress/seeds.h"
 #include "stress/tiny_volume.h"
 
 namespace deliso::stress {
@@ -52,16 +52,13 @@ inline void see_seed(std::string_view program, std::uint64_t seed, const Volume&
   const std::string name = text(program, "-", seed);
   const std::string commands =
       test::see_mesh(name, mesh, build_contour(volume, kappa), places_of(faults), others);
-  std::printf("%s is seen by%s\n", name.c_str(), commands.c_str());
-  std::fflush(stdout);
+  say(name, " is seen by", commands);
 }
 
 // Tells what to do about a seed with a fault.
 inline void tell_next_step(std::string_view program) {
-  std::printf(
-      "To see one: DELISO_SEE=folder %s --first-seed SEED --count 1 --list "
-      "(docs/guide/a-seed-failed.md)\n",
-      std::string(program).c_str());
+  say("To see one: DELISO_SEE=folder ", program,
+      " --first-seed SEED --count 1 --list (docs/guide/a-seed-failed.md)");
 }
 
 }  // namespace deliso::stress

@@ -52,28 +52,24 @@ struct Arguments {
   bool paper = false, list = false, embedded = false, matched = false;
 };
 
-struct Row {
-  std::uint64_t volumes = 0, crashes = 0, hangs = 0, slow = 0, invalid = 0, inexact = 0,
-                intersecting = 0, pairs = 0, off_surface = 0, coincident = 0, disputed = 0,
-                triangles = 0;
-  double seconds = 0;
-
-  void operator+=(const Row& b) {
-    volumes += b.volumes;
-    crashes += b.crashes;
-    hangs += b.hangs;
-    slow += b.slow;
-    invalid += b.invalid;
-    inexact += b.inexact;
-    intersecting += b.intersecting;
-    pairs += b.pairs;
-    off_surface += b.off_surface;
-    coincident += b.coincident;
-    disputed += b.disputed;
-    triangles += b.triangles;
-    seconds += b.seconds;
-  }
+enum Column : std::size_t {
+  volumes,
+  crashes,
+  hangs,
+  slow,
+  invalid,
+  inexact,
+  disputed,
+  coincident,
+  crossing,
+  pairs,
+  off_surface,
+  triangles,
 };
+constexpr std::array<std::string_view, 12> kColumns{"volumes",  "crashes", "hangs",    "slow",
+                                                    "invalid",  "inexact", "disputed", "coincid.",
+                                                    "crossing", "pairs",   "off",      "triangles"};
+using Counts = Row<kColumns.size()>;
 
 // Returns the mesh of the volume by either program. Sets what judge() asks of the report.
 TriMesh make_mesh(const TinyVolume& tiny, const Arguments& arguments, Report& report,
@@ -126,18 +122,11 @@ bool is_slow(const Verdict& verdict) {
   return verdict.seconds_mesh > 2;
 }
 
-void add(Row& row, const Verdict& verdict) {
-  ++row.volumes;
-  row.slow += is_slow(verdict);
-  row.invalid += verdict.invalid;
-  row.inexact += !verdict.topology_exact;
-  row.intersecting += verdict.intersections > 0;
-  row.pairs += verdict.intersections;
-  row.off_surface += verdict.off_surface > 0;
-  row.coincident += verdict.coincident > 0;
-  row.disputed += verdict.disputed;
-  row.triangles += verdict.triangles;
-  row.seconds += verdict.seconds;
+void add(Counts& row, const Verdict& verdict) {
+  row += {{1, 0, 0, is_slow(verdict), verdict.invalid, !verdict.topology_exact, verdict.disputed,
+           verdict.coincident > 0, verdict.intersections > 0, verdict.intersections,
+           verdict.off_surface > 0, verdict.triangles},
+          verdict.seconds};
 }
 
 std::string command_of(const TinyVolume& tiny, const std::string& file) {
@@ -151,23 +140,13 @@ void list(std::uint64_t seed, const char* what) {
   const TinyVolume tiny = make_tiny_volume(seed);
   const Index3 n = tiny.volume.dims();
   const std::string command = command_of(tiny, file_of_seed(kProgram, seed, tiny.volume));
-  std::printf("seed %llu %s %dx%dx%d: %s\n  %s\n", static_cast<unsigned long long>(seed),
-              std::string(name_of(kind_of(seed))).c_str(), n.i, n.j, n.k, what, command.c_str());
-}
-
-void print_row(std::string_view name, const Row& r) {
-  std::printf("%-12s", std::string(name).c_str());
-  for (const std::uint64_t count :
-       {r.volumes, r.crashes, r.hangs, r.slow, r.invalid, r.inexact, r.disputed, r.coincident,
-        r.intersecting, r.pairs, r.off_surface, r.triangles}) {
-    std::printf(" %9llu", static_cast<unsigned long long>(count));
-  }
-  std::printf(" %9.1f\n", r.seconds);
+  say("seed ", seed, " ", name_of(kind_of(seed)), " ", n.i, "x", n.j, "x", n.k, ": ", what, "\n  ",
+      command);
 }
 
 int run_all(const Arguments& arguments) {
-  Row rows[kTinyKinds];
-  const auto row_of = [&](std::uint64_t seed) -> Row& {
+  Counts rows[kTinyKinds];
+  const auto row_of = [&](std::uint64_t seed) -> Counts& {
     return rows[static_cast<std::size_t>(kind_of(seed))];
   };
   const bool forked = run_in_children<Verdict>(
@@ -179,30 +158,23 @@ int run_all(const Arguments& arguments) {
         if (arguments.list && is_slow(verdict)) list(seed, "slow");
       },
       [&](std::uint64_t seed, bool hang) {
-        Row& row = row_of(seed);
-        ++row.volumes;
-        ++(hang ? row.hangs : row.crashes);
+        ++row_of(seed)[volumes];
+        ++row_of(seed)[hang ? hangs : crashes];
         list(seed, hang ? "hang" : "crash");
       });
   if (!forked) return 2;
 
-  std::printf("%-12s", "kind");
-  for (const char* column :
-       {"volumes", "crashes", "hangs", "slow", "invalid", "inexact", "disputed", "coincid.",
-        "crossing", "pairs", "off", "triangles", "CPU s"}) {
-    std::printf(" %9s", column);
-  }
-  std::printf("\n");
-  Row all;
+  print_columns("kind", kColumns);
+  Counts all;
   for (std::uint64_t n = 0; n < kTinyKinds; ++n) {
-    print_row(name_of(static_cast<TinyKind>(n)), rows[n]);
+    rows[n].print(name_of(static_cast<TinyKind>(n)));
     all += rows[n];
   }
-  print_row("all", all);
-  const bool exact = arguments.paper || all.inexact == 0;
-  const bool embedded = !arguments.embedded || all.pairs == 0;
-  const bool matched = !arguments.matched || all.disputed == 0;
-  if (all.crashes + all.hangs + all.invalid == 0 && exact && embedded && matched) return 0;
+  all.print("all");
+  const bool exact = arguments.paper || all[inexact] == 0;
+  const bool embedded = !arguments.embedded || all[pairs] == 0;
+  const bool matched = !arguments.matched || all[disputed] == 0;
+  if (all[crashes] + all[hangs] + all[invalid] == 0 && exact && embedded && matched) return 0;
   tell_next_step(kProgram);
   return 1;
 }
@@ -210,7 +182,7 @@ int run_all(const Arguments& arguments) {
 int write_one(std::uint64_t seed, const std::string& path) {
   const TinyVolume tiny = make_tiny_volume(seed);
   write_nrrd(tiny.volume, path);
-  std::printf("%s\n", command_of(tiny, path).c_str());
+  say(command_of(tiny, path));
   return 0;
 }
 

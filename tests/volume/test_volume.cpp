@@ -14,12 +14,21 @@
 #include "base/check.h"
 #include "base/random.h"
 #include "base/text.h"
+#include "refusal.h"
 #include "volume/sampled.h"
 #include "volume/volume_source.h"
 
 using namespace deliso;
 
 namespace {
+
+// Calls f with a zero of each type of samples.
+template <class F>
+void for_each_type(F&& f) {
+  const auto call = [&](auto... zeros) { (f(zeros), ...); };
+  call(std::uint8_t{}, std::int8_t{}, std::uint16_t{}, std::int16_t{}, std::uint32_t{},
+       std::int32_t{}, float{}, double{});
+}
 
 template <class T>
 std::vector<T> random_samples(Random& random, std::size_t count) {
@@ -175,14 +184,7 @@ TEST_CASE("the unit of lengths in voxels is the side of a cube with a voxel's vo
 
 TEST_CASE("value and gradient are those of the weighted sum of all samples") {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    check_interpolation<std::uint8_t>(seed);
-    check_interpolation<std::int8_t>(seed);
-    check_interpolation<std::uint16_t>(seed);
-    check_interpolation<std::int16_t>(seed);
-    check_interpolation<std::uint32_t>(seed);
-    check_interpolation<std::int32_t>(seed);
-    check_interpolation<float>(seed);
-    check_interpolation<double>(seed);
+    for_each_type([&]<class T>(T) { check_interpolation<T>(seed); });
   }
 }
 
@@ -235,12 +237,7 @@ TEST_CASE("samples may lie at places of their own along an axis") {
     if (block.box().contains(p)) CHECK(distance(block.gradient(p), volume.gradient(p)) < 1e-11);
   }
   const auto message = [&](Coordinates wrong) {
-    try {
-      even.with_places(std::move(wrong), "v");
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::refusal_by([&] { even.with_places(std::move(wrong), "v"); });
   };
   CHECK(message({{{0, 1}, {}, {}}}) == "v: has 3 samples along x, and 2 coordinates");
   CHECK(message({{{0, 1, 1}, {}, {}}}) == "v: its coordinates along x do not increase at sample 2");
@@ -252,14 +249,7 @@ TEST_CASE("the range of any number of samples, with or without plateaus") {
   std::uint64_t seed = 0;
   for (std::size_t count : {1u, 2u, 7u, 63u, 64u, 65u, 1000u, 4096u, 4097u, 20000u}) {
     for (std::uint32_t values : {0u, 1u, 2u, 5u, 100u}) {
-      check_range<std::uint8_t>(seed++, count, values);
-      check_range<std::int8_t>(seed++, count, values);
-      check_range<std::uint16_t>(seed++, count, values);
-      check_range<std::int16_t>(seed++, count, values);
-      check_range<std::uint32_t>(seed++, count, values);
-      check_range<std::int32_t>(seed++, count, values);
-      check_range<float>(seed++, count, values);
-      check_range<double>(seed++, count, values);
+      for_each_type([&]<class T>(T) { check_range<T>(seed++, count, values); });
     }
   }
 }
@@ -342,14 +332,7 @@ TEST_CASE("a frame maps to the world along its axes, and knows when they are lef
 
 TEST_CASE("the isovalue of the geometry is lowered onto no sample and past none") {
   Random random(61);
-  check_sides<std::uint8_t>(random);
-  check_sides<std::int8_t>(random);
-  check_sides<std::uint16_t>(random);
-  check_sides<std::int16_t>(random);
-  check_sides<std::uint32_t>(random);
-  check_sides<std::int32_t>(random);
-  check_sides<float>(random);
-  check_sides<double>(random);
+  for_each_type([&]<class T>(T) { check_sides<T>(random); });
 }
 
 TEST_CASE("the isovalue of the geometry depends on the type and the isovalue alone") {

@@ -6,10 +6,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "base/random.h"
 #include "io/files/inflated.h"

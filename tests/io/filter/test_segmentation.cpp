@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "base/random.h"
 #include "io/filter/gaussian.h"
 #include "io/filter/median.h"
+#include "refusal.h"
 #include "volume/sampled.h"
 
 using namespace deliso;
@@ -75,12 +75,7 @@ void hold_against_brute_force(Index3 n, std::int64_t least, std::uint32_t count)
 }
 
 std::string refusal(const Volume& volume) {
-  try {
-    find_labels(volume, "seg.npy", 2);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_by([&] { find_labels(volume, "seg.npy", 2); });
 }
 
 // A ball of label 3 in a box of n^3 samples.

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "base/random.h"
-#include "io/filter/histogram.h"
 #include "volume/sampled.h"
 
 using namespace deliso;

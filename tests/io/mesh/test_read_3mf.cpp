@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "io/mesh/containers.h"
 #include "io/mesh/read_mesh.h"
+#include "refusal.h"
 
 using namespace deliso;
 using namespace deliso::test;
@@ -20,12 +21,7 @@ TriMesh read_3mf(const std::string& bytes, MeshNotes* notes = nullptr,
 }
 
 std::string fault_of_3mf(const std::string& bytes) {
-  try {
-    read_3mf(bytes);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return refusal_by([&] { read_3mf(bytes); });
 }
 
 }  // namespace

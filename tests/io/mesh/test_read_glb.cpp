@@ -2,7 +2,6 @@
 // Binary glTF: what write_mesh writes comes back where it was, and so do files of other programs.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 

@@ -20,6 +20,7 @@
 #include "io/mesh/mesh_files.h"
 #include "io/mesh/read_mesh.h"
 #include "mesh/meshes.h"
+#include "refusal.h"
 
 using namespace deliso;
 using namespace deliso::test;
@@ -66,12 +67,7 @@ TriMesh parsed(const Sample& sample) {
 }
 
 std::string error_of(const Sample& sample) {
-  try {
-    parsed(sample);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return refusal_by([&] { parsed(sample); });
 }
 
 // Binary data in either byte order.
@@ -387,14 +383,7 @@ TEST_CASE("coordinates out of the predicates' range are refused, with vertex and
 }
 
 TEST_CASE("missing and unreadable files are refused") {
-  const auto error = [](const std::string& path) -> std::string {
-    try {
-      read_mesh(path);
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "no error";
-  };
+  const auto error = [](const std::string& path) { return refusal_by([&] { read_mesh(path); }); };
   const TemporaryFolder folder;
   CHECK(error(folder / "absent.ply") ==
         folder / "absent.ply" + ": cannot open: No such file or directory");

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "base/check.h"
 #include "io/files/temporary_folder.h"

@@ -4,15 +4,14 @@
 #include <doctest/doctest.h>
 
 #include <clocale>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <locale>
 
 #include "base/check.h"
 #include "base/triangle.h"
 #include "io/mesh/read_mesh.h"
 #include "io/mesh/written_mesh.h"
+#include "refusal.h"
 
 using namespace deliso;
 using namespace deliso::test;
@@ -37,12 +36,7 @@ std::size_t attribute(const std::string& text, const std::string& key, std::size
 }
 
 std::string write_error(const std::string& path) {
-  try {
-    write_mesh(triangle(), path);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return refusal_by([&] { write_mesh(triangle(), path); });
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // Files of several objects, each with a name, a label and a color.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 

@@ -5,9 +5,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "cases.h"
 #include "fields.h"
 #include "more/cap/solids.h"

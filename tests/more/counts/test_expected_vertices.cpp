@@ -5,9 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
-#include <vector>
 
 #include "contour/contour.h"
 #include "deliso/mesh_isosurface.h"

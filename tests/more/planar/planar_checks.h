@@ -5,7 +5,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "more/planar/constrained_triangulation.h"

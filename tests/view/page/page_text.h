@@ -2,9 +2,7 @@
 // Reading pages back: view/page/page.h, W1.
 #pragma once
 
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>

@@ -131,22 +131,6 @@ TEST_CASE("the silhouette of a sphere is a disk of its radius, from everywhere")
   }
 }
 
-TEST_CASE("the camera's axes are orthonormal and see +z upwards") {
-  const TriMesh mesh = sphere(1);
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
-    const View view{random.uniform(-360, 360), random.uniform(-89, 89)};
-    const Camera camera = camera_on(mesh, view, {100, 100}, {});
-    CHECK(length(camera.right) == doctest::Approx(1));
-    CHECK(length(camera.up) == doctest::Approx(1));
-    CHECK(length(cross(camera.right, camera.up) - camera.back) < 1e-12);
-    CHECK(camera.up.z > 0);
-    CHECK(camera.project(kCenter + Vec3{0, 0, 1}).y < camera.project(kCenter).y);
-    CHECK(camera.project(kCenter + camera.back).depth > camera.project(kCenter).depth);
-  }
-}
-
 TEST_CASE("the outside has one color and the inside the other" *
           test::slow("pictures with the light of the sky, which is found by many rays")) {
   const TriMesh mesh = sphere(4);
@@ -548,23 +532,24 @@ TEST_CASE("a small mesh beside a large one stays small: the camera fits all of t
 
 TEST_CASE("the axis that is up is up in the picture, from wherever the eye looks") {
   const TriMesh mesh = sphere(2);
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double sign : {1.0, -1.0}) {
-      CAPTURE(axis);
-      CAPTURE(sign);
-      Vec3 up;
-      up[axis] = sign;
-      for (double azimuth = 0; azimuth < 360; azimuth += 40) {
-        const View view{azimuth, 25, {axis, sign}};
-        const Camera camera = camera_on(mesh, view, {400, 300}, {});
-        CHECK(std::abs(dot(camera.right, up)) < 1e-12);
-        CHECK(dot(camera.up, up) == doctest::Approx(std::cos(25 * std::numbers::pi / 180)));
-        CHECK(dot(camera.back, up) == doctest::Approx(std::sin(25 * std::numbers::pi / 180)));
-        CHECK(length(cross(camera.right, camera.up) - camera.back) < 1e-12);
-      }
-      const Up chosen = best_view(std::array{Subject{&mesh, {}}}, {40, 30}, {axis, sign}).up;
-      CHECK(chosen == Up{axis, sign});
-    }
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const int axis = static_cast<int>(seed % 3);
+    const double sign = seed % 2 == 0 ? 1 : -1, elevation = random.uniform(-89, 89);
+    Vec3 up;
+    up[axis] = sign;
+    const View view{random.uniform(-360, 360), elevation, {axis, sign}};
+    const Camera camera = camera_on(mesh, view, {400, 300}, {});
+    CHECK(length(camera.right) == doctest::Approx(1));
+    CHECK(std::abs(dot(camera.right, up)) < 1e-12);
+    CHECK(dot(camera.up, up) == doctest::Approx(std::cos(elevation * std::numbers::pi / 180)));
+    CHECK(dot(camera.back, up) == doctest::Approx(std::sin(elevation * std::numbers::pi / 180)));
+    CHECK(length(cross(camera.right, camera.up) - camera.back) < 1e-12);
+    CHECK(camera.project(kCenter + up).y < camera.project(kCenter).y);
+    CHECK(camera.project(kCenter + camera.back).depth > camera.project(kCenter).depth);
+    const Up chosen = best_view(std::array{Subject{&mesh, {}}}, {40, 30}, {axis, sign}).up;
+    CHECK(chosen == Up{axis, sign});
   }
 }
 

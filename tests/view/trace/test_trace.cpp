@@ -11,7 +11,6 @@
 #include <optional>
 #include <set>
 #include <span>
-#include <string>
 #include <tuple>
 #include <vector>
 
@@ -54,21 +53,20 @@ Traced traced(const Scene& scene, const Options& options, std::size_t limit = kN
   return traced(scene.volume, scene.surface.kappa(), options, limit);
 }
 
-Traced traced(const Scene& scene, paper::Options options, std::size_t limit = kNoLimit) {
-  Traced out;
-  out.trace = Trace(limit, false);
-  PaperRecorder recorder(out.trace);
-  options.observer = &recorder;
-  out.mesh = paper::deliso(scene.volume, scene.surface.kappa(), options, out.published);
-  return out;
+TriMesh run_published(const Scene& scene, const paper::Options& options, bool certified,
+                      paper::Report& report) {
+  const double isovalue = scene.surface.kappa();
+  return certified ? certified_deliso(scene.volume, isovalue, options, report)
+                   : paper::deliso(scene.volume, isovalue, options, report);
 }
 
-Traced traced_certified(const Scene& scene, paper::Options options, std::size_t limit = kNoLimit) {
+Traced traced(const Scene& scene, paper::Options options, std::size_t limit = kNoLimit,
+              bool certified = false) {
   Traced out;
   out.trace = Trace(limit, false);
   PaperRecorder recorder(out.trace);
   options.observer = &recorder;
-  out.mesh = certified_deliso(scene.volume, scene.surface.kappa(), options, out.published);
+  out.mesh = run_published(scene, options, certified, out.published);
   return out;
 }
 
@@ -555,7 +553,7 @@ TEST_CASE("labels replayed are those of the nearest site") {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14);
-    const Traced run = traced_certified(scene, {.r_min = 0.02});
+    const Traced run = traced(scene, paper::Options{.r_min = 0.02}, kNoLimit, true);
     check_replay(run);
     CHECK(check_zones(run.trace) > 0);
     check_labels(run, reasons);
@@ -567,19 +565,6 @@ TEST_CASE("labels replayed are those of the nearest site") {
   }
   for (const PaperReason reason : {PaperReason::region, PaperReason::interface}) {
     CHECK(reasons.contains(trace_code(reason)));
-  }
-}
-
-TEST_CASE("a traced run of the certified program is the run without, also when the trace is full") {
-  const Scene scene = wave_scene(5, 10);
-  const paper::Options options{.r_min = 0.05};
-  paper::Report report;
-  const TriMesh plain = certified_deliso(scene.volume, scene.surface.kappa(), options, report);
-  for (const std::size_t limit : {std::size_t{1}, std::size_t{20}, kNoLimit}) {
-    const Traced run = traced_certified(scene, options, limit);
-    CHECK(test::same_mesh(run.mesh, plain));
-    CHECK(run.published.searches_refine.searches == report.searches_refine.searches);
-    CHECK(run.trace.size() == std::min(limit, run.trace.events_seen()));
   }
 }
 
@@ -631,17 +616,23 @@ TEST_CASE("a traced run is the run without, and the same with any number of thre
   CHECK(four.trace.arrays().micros == std::vector<std::uint32_t>(four.trace.size(), 0));
 }
 
-TEST_CASE("a traced run of the published program is the run without") {
+TEST_CASE(
+    "a traced run of the published programs is the run without, also when the trace is full") {
   const Scene scene = wave_scene(5, 10);
-  const paper::Options options{.r_min = 0.05};
-  paper::Report report;
-  const TriMesh plain = paper::deliso(scene.volume, scene.surface.kappa(), options, report);
-  const Traced run = traced(scene, options);
-  check_replay(run);
-  CHECK(test::same_mesh(run.mesh, plain));
-  CHECK(run.published.searches_recover.searches == report.searches_recover.searches);
-  CHECK(run.published.searches_refine.searches == report.searches_refine.searches);
-  CHECK(run.published.not_a_disk == report.not_a_disk);
+  for (const bool certified : {false, true}) {
+    const paper::Options options{.r_min = 0.05};
+    paper::Report report;
+    const TriMesh plain = run_published(scene, options, certified, report);
+    for (const std::size_t limit : {std::size_t{1}, std::size_t{20}, kNoLimit}) {
+      const Traced run = traced(scene, options, limit, certified);
+      if (limit == kNoLimit) check_replay(run);
+      CHECK(test::same_mesh(run.mesh, plain));
+      CHECK(run.trace.size() == std::min(limit, run.trace.events_seen()));
+      CHECK(run.published.searches_recover.searches == report.searches_recover.searches);
+      CHECK(run.published.searches_refine.searches == report.searches_refine.searches);
+      CHECK(run.published.not_a_disk == report.not_a_disk);
+    }
+  }
 }
 
 TEST_CASE("refused attempts show what they would have done, and by which gate") {
@@ -774,33 +765,21 @@ TEST_CASE("searches and their voxels are counted event by event, each in its sta
 
 TEST_CASE("every number of an event has a name") {
   std::set<std::string_view> names;
-  for (std::size_t n = 0; n < static_cast<std::size_t>(Routine::count_); ++n) {
-    const RoutineName name = name_of(static_cast<Routine>(n));
-    CHECK(!name.text.empty());
-    names.insert(name.name);
-  }
-  for (std::size_t n = 0; n < static_cast<std::size_t>(Reason::count_); ++n) {
-    const ReasonName name = name_of(static_cast<Reason>(n));
-    CHECK(!name.text.empty());
-    names.insert(name.name);
-  }
-  for (std::size_t n = 0; n < static_cast<std::size_t>(PaperReason::count_); ++n) {
-    const ReasonName name = name_of(static_cast<PaperReason>(n));
-    CHECK(!name.text.empty());
-    names.insert(name.name);
-  }
-  for (std::size_t n = 0; n < static_cast<std::size_t>(TraceOutcome::count_); ++n) {
-    const ReasonName name = name_of(static_cast<TraceOutcome>(n));
-    CHECK(!name.text.empty());
-    names.insert(name.name);
-  }
-  for (std::size_t n = 0; n < kOperations; ++n) {
-    const RoutineName name = routine_of(static_cast<Operation>(n));
-    CHECK(!name.text.empty());
-    names.insert(name.name);
-  }
-  CHECK(names.size() == static_cast<std::size_t>(Routine::count_) +
-                            static_cast<std::size_t>(Reason::count_) +
-                            static_cast<std::size_t>(PaperReason::count_) +
-                            static_cast<std::size_t>(TraceOutcome::count_) + kOperations);
+  std::size_t count = 0;
+  const auto add = [&](std::size_t end, auto name_of_number) {
+    for (std::size_t n = 0; n < end; ++n, ++count) {
+      const auto name = name_of_number(n);
+      CHECK(!name.text.empty());
+      names.insert(name.name);
+    }
+  };
+  const auto add_all = [&]<class Code>(Code end) {
+    add(static_cast<std::size_t>(end), [](std::size_t n) { return name_of(static_cast<Code>(n)); });
+  };
+  add_all(Routine::count_);
+  add_all(Reason::count_);
+  add_all(PaperReason::count_);
+  add_all(TraceOutcome::count_);
+  add(kOperations, [](std::size_t n) { return routine_of(static_cast<Operation>(n)); });
+  CHECK(names.size() == count);
 }
