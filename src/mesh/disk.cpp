@@ -30,7 +30,6 @@ inline bool Disk::link_edges() {
     if (same != kNone) return false;  // two facets run along it in one direction
     same = e;
   }
-  leaves_.assign(vertices, kNone);
   for (std::uint32_t e = 0; e < ends_.size(); ++e) {
     const auto [from, to] = ends_[e];
     const std::uint32_t back = edge_[to * vertices + from];
@@ -38,8 +37,6 @@ inline bool Disk::link_edges() {
       across[e / 3][e % 3] = back / 3;
       continue;
     }
-    if (leaves_[from] != kNone) return false;  // the boundary meets itself
-    leaves_[from] = e;
     boundary.push_back({corners_[from], corners_[to], e / 3, static_cast<int>(e % 3)});
   }
   return true;

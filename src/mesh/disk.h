@@ -48,9 +48,8 @@ struct Disk {
   struct Ends {
     std::size_t from, to;
   };
-  std::vector<Ends> ends_;             // per edge
-  std::vector<std::uint32_t> edge_;    // per two corners: the edge from one to the other
-  std::vector<std::uint32_t> leaves_;  // per corner: the boundary edge that leaves it
+  std::vector<Ends> ends_;           // per edge
+  std::vector<std::uint32_t> edge_;  // per two corners: the edge from one to the other
   std::vector<std::uint32_t> reached_;
   std::vector<std::uint8_t> is_reached_;
 };

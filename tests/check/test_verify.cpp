@@ -49,7 +49,9 @@ struct Good {
   }
 
   Verification verify_parts(const Parts& parts, double share = 0.5) const {
-    return deliso::verify_parts(parts, volume, kappa, {.restricted_share = share});
+    VerifyOptions options;
+    options.restricted_share = share;
+    return deliso::verify_parts(parts, volume, kappa, options);
   }
 
   Volume volume;
@@ -521,8 +523,10 @@ TEST_CASE("a solid is sound, and one fault in its caps is reported as one fault"
   const TriMesh mesh = mesh_isosurface(volume, 0, meshing, report);
   REQUIRE(report.cap.failure == "");
   const auto run = [&](const Parts& p, bool solid = true) {
-    return verify_parts(p, volume, geometric_isovalue(volume.type(), 0),
-                        {.restricted_share = 0.5, .solid = solid});
+    VerifyOptions options;
+    options.restricted_share = 0.5;
+    options.solid = solid;
+    return verify_parts(p, volume, geometric_isovalue(volume.type(), 0), options);
   };
   const Parts good = parts_of(mesh);
   const Verification sound = run(good);

@@ -20,6 +20,7 @@
 #include "mesh/component_kinds.h"
 #include "mesh/meshes.h"
 #include "run/criteria.h"
+#include "run/observer.h"
 #include "see.h"
 #include "surface/surface_point.h"
 #include "volume/sampled.h"

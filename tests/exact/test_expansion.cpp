@@ -33,9 +33,9 @@ double some_double(Random& random) {
 
 template <int N>
 BigInt exact_value(const Expansion<N>& e) {
-  BigInt sum;
-  for (int i = 0; i < e.size(); ++i) sum = sum + to_integer(e[i], kUnit);
-  return sum;
+  BigInt value;
+  for (int i = 0; i < e.size(); ++i) value = value + to_integer(e[i], kUnit);
+  return value;
 }
 
 template <int N>
