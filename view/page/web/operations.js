@@ -26,8 +26,8 @@ const kOperations = {
 
 const kCriteria = {
   beginning: { label: 'beginning', color: 0x7d7d7d, dash: 'solid' },
-  ...styled(['several hits', 'no disk', 'no half disk', 'region', 'interface', 'triple', 'boundary',
-             'no area']
+  ...styled(['several hits', 'no disk', 'no half disk', 'facet cycle', 'region', 'interface', 'triple',
+             'boundary', 'no area']
     .map((name) => [name, name]), 0x2a5fb0, 0x9fd0f5),
   ...styled([['h', 'distance h'], ['r/l', 'shape r/l'], ['h/r', 'h/r'], ['r/pole', 'r/pole'],
              ['r', 'size r'], ['not Delaunay', 'not Delaunay'],

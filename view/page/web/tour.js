@@ -63,7 +63,7 @@ function published_stops(trace) {
       ? [failed('A region that breaks a condition', ['region', 'interface', 'triple', 'boundary'],
                 'No region broke a condition in this trace.')]
       : [failed('MultiIntersect', ['several hits'], 'No Voronoi edge met the surface twice in this trace.'),
-         failed('ExtractManifold', ['no disk', 'no half disk'], 'The facets at no vertex had to be mended in this trace.')],
+         failed('ExtractManifold', ['no disk', 'no half disk', 'facet cycle'], 'The facets at no vertex had to be mended in this trace.')],
     stop('From Recover to Refine', trace.switch_at, () =>
       `The switch. ${topology_at_switch(trace.header)} The tetrahedra are left behind, and Refine gives the plain ` +
       'mesh of triangles its shape.', kNoSwitch, true),
