@@ -55,7 +55,7 @@ class Faults {
     for (const Face& face : mesh_.faces) triangles.push_back(face.v);
     const std::vector<EdgeUse> uses = edge_uses(mesh_.points.size(), triangles);
     for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-      if (edge.size() > 3) {
+      if (edge.size() > 3) {  // unreachable: by our own sheets
         for (const EdgeUse& use : edge) faults_.push_back(use.triangle);
       }
       if (edge.size() != 3) return true;

@@ -216,7 +216,7 @@ bool LiftOff::lift(FaceId f, int i, Effort effort) {
         return true;
       }
     }
-    return false;
+    return false;  // unreachable: no case is known
   }
   std::vector<Line> lines{{middle(f), normal(f)}, {middle(g), normal(g)}};
   for (const Vec3& base : bases) {

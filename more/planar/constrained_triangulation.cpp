@@ -49,7 +49,7 @@ ConstrainedTriangulation::Place ConstrainedTriangulation::locate(const Vec2& p, 
     if (next == kNoId) return blocked ? Place{kNoId, blocked} : Place{t, std::nullopt};
     t = next;
   }
-  return {};
+  return {};  // unreachable: the walk ends
 }
 
 VertexId ConstrainedTriangulation::insert(const Vec2& p) {

@@ -44,7 +44,7 @@ class ContourSink {
   ContourSink() = default;
   ContourSink(const ContourSink&) = delete;
   ContourSink& operator=(const ContourSink&) = delete;
-  virtual ~ContourSink() = default;
+  virtual ~ContourSink() = default;  // unreachable: sinks live on the stack
 
   // The grid edge from `sample` along `axis` is crossed and lies on these faces of the box. Its
   // ends have the values c0 and c1, minus kappa. Returns an id, unique among crossings on the box.

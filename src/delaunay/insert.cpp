@@ -49,9 +49,9 @@ bool Triangulation::is_in_conflict(CellId c, const Vec3& p) const {
 // Starts a search: all marks become those of earlier searches.
 void Triangulation::begin_search() const {
   constexpr std::uint32_t kMaxMark = std::numeric_limits<std::uint32_t>::max() - 3;
-  if (in_conflict_ >= kMaxMark) {
+  if (in_conflict_ >= kMaxMark) {  // unreachable: after 2^31 searches
     std::fill(marks_.begin(), marks_.end(), 0);
-    in_conflict_ = 0;  // unreachable: after 2^31 searches
+    in_conflict_ = 0;
   }
   in_conflict_ += 2;
 }
@@ -137,9 +137,10 @@ void Triangulation::allocate_cells(std::size_t count, std::vector<CellId>& taken
 // passes the edge from its first vertex to the second, the other back. So a table of vertex pairs
 // joins them: no entry is read before it is written, and no branch depends on the data.
 void Triangulation::link_by_table(const ConflictZone& zone, const std::vector<CellId>& created) {
-  if (first_rank_ > std::numeric_limits<std::uint32_t>::max() - kTableVertices) {
+  constexpr std::uint32_t kMaxRank = std::numeric_limits<std::uint32_t>::max() - kTableVertices;
+  if (first_rank_ > kMaxRank) {  // unreachable: after 2^32 ranks
     std::fill(ranks_.begin(), ranks_.end(), 0);
-    first_rank_ = 1;  // unreachable: after 2^32 ranks
+    first_rank_ = 1;
   }
   const std::uint32_t first_rank = first_rank_;
   std::uint32_t next_rank = first_rank;

@@ -90,7 +90,6 @@ class Triangulation {
   SiteId insert(const Vec3& p, CellId hint = kNoId);
 
  private:
-
   // A link names a facet in one word, 4 * cell + index. Here links[i] is the facet opposite to
   // vertex i as the neighbor sees it, so a walk needs no search. One cell is half a cache line.
   using Link = std::uint32_t;

@@ -125,10 +125,8 @@ void VoxelTree::collect_voxels(const Segment& r, double kappa,
   const Range range = line.clip({0, 1});
   volume_.visit([&](const auto* samples) {
     using T = std::remove_cvref_t<decltype(*samples)>;
-    find_along(line, range, samples, *inside_threshold<T>(kappa), [&](const VoxelSpan& span) {
-      spans.push_back(span);
-      return false;
-    });
+    find_along(line, range, samples, *inside_threshold<T>(kappa),
+               [&](const VoxelSpan& span) { spans.push_back(span); });
   });
 }
 

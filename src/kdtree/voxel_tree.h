@@ -47,14 +47,14 @@ class VoxelTree {
   // face shared by two voxels is in one of them. Replaces the contents of `spans`.
   void collect_voxels(const Segment& r, double kappa, std::vector<VoxelSpan>& spans) const;
 
-  // Calls visit(span) for the active voxels along `range` of the line, in order, until it returns
-  // true. Returns whether it did. T is the volume's sample type.
+  // Calls visit(span) for the active voxels along `range` of the line, in order. T is the volume's
+  // sample type.
   // pre: `range` is line.clip() or a part of it; `samples` are the volume's; active(kappa);
   // threshold == inside_threshold<T>(kappa).
   // If `visit` also takes a VoxelBox, it is told the box of each node whose children or voxels the
   // search looks at: the cost of a search.
   template <class T, class Visit>
-  bool find_along(const LatticeLine& line, Range range, const T* samples, T threshold,
+  void find_along(const LatticeLine& line, Range range, const T* samples, T threshold,
                   Visit&& visit) const;
 
   // Returns the line origin + t * direction (scaled frame) in voxel units, with the same t.
@@ -96,9 +96,9 @@ class VoxelTree {
 };
 
 template <class T, class Visit>
-bool VoxelTree::find_along(const LatticeLine& line, Range range, const T* samples, T threshold,
+void VoxelTree::find_along(const LatticeLine& line, Range range, const T* samples, T threshold,
                            Visit&& visit) const {
-  if (!(range.lo < range.hi)) return false;
+  if (!(range.lo < range.hi)) return;
   const auto& nodes = std::get<Nodes<T>>(nodes_);
   const std::size_t dy = volume_.dims().i, dz = dy * volume_.dims().j;
 
@@ -139,12 +139,12 @@ bool VoxelTree::find_along(const LatticeLine& line, Range range, const T* sample
       const Index3 first = line.voxel_after(at.t0, at.box);
       for (VoxelWalk walk(line, first, {at.t0, at.t1}); !walk.done(); walk.step()) {
         const Index3 v = walk.voxel();
-        if (is_active_voxel(samples + volume_.index(v.i, v.j, v.k), dy, dz, threshold) &&
-            visit(walk.span()))
-          return true;
+        if (is_active_voxel(samples + volume_.index(v.i, v.j, v.k), dy, dz, threshold)) {
+          visit(walk.span());
+        }
       }
     }
-    if (waiting == 0) return false;
+    if (waiting == 0) return;
     at = stack[--waiting];
   }
 }
