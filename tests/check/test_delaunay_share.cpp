@@ -9,6 +9,7 @@
 #include "coarsen/contour_as_mesh.h"
 #include "fields.h"
 #include "mesh/meshes.h"
+#include "run/report.h"
 
 namespace deliso {
 namespace {

@@ -102,7 +102,8 @@ TEST_CASE("blocks end on their common face alike, at crossings of grid edges") {
 TEST_CASE("nothing crosses at a seam where T is nearer to the face than 1e-7 voxel") {
   const std::vector<double> equal{2, 2, 3, 0, 0, 2, 2, 2, 1, 1, 2, 2};
   const std::vector<double> above{4, 2, 1, 0, 2, 0, 1, 0, 4, 4, 2, 0};
-  for (const auto& [samples, kappa] : {std::pair(equal, 2.0), std::pair(above, 2 - 1e-8)}) {
+  for (const auto& [samples, level] : {std::pair(equal, 2.0), std::pair(above, 2 - 1e-8)}) {
+    const double kappa = level;
     CAPTURE(kappa);
     const Volume volume = Volume::from_samples<double>({3, 2, 2}, {1, 1, 1}, samples);
     std::size_t lifted = 0;

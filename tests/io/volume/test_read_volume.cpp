@@ -12,6 +12,7 @@
 
 #include "base/text.h"
 #include "io/volume/builtin_volume.h"
+#include "read_fault.h"
 #include "refusal.h"
 #include "volume/sampled.h"
 #include "volume_files.h"
@@ -235,7 +236,8 @@ TEST_CASE("a rectilinear grid of VTK has its coordinates, in text and in bytes")
                                      {"x 1", "two or more numbers: 'x 1'"},
                                      {"x 1 b", "'x 1 b'"},
                                      {"x 1 2\nx 1 2", "has the coordinates along x twice"}}) {
-    const std::string told = refusal_by([&] { read_coordinates(folder.write("c.txt", lines)); });
+    const std::string path = folder.write("c.txt", lines);
+    const std::string told = refusal_by([&] { read_coordinates(path); });
     CHECK(told.find(fault) != std::string::npos);
   }
 }
