@@ -7,6 +7,7 @@
 #include "cases.h"
 #include "check/mesh_triangulation.h"
 #include "coarsen/contour_as_mesh.h"
+#include "deliso/mesh_isosurface.h"
 #include "fields.h"
 #include "mesh/meshes.h"
 #include "run/report.h"
