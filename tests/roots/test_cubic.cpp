@@ -224,7 +224,7 @@ Cubic adversarial_case(Random& random) {
 TEST_CASE("random cubics: both solvers agree with bisection") {
   double residual = 0;
   std::uint64_t found = 0;
-  const std::uint64_t kTrials = test::cases(4'000'000);
+  const std::uint64_t kTrials = test::cases(2'000'000);
   for (std::uint64_t seed = 0; seed < kTrials; ++seed) {
     Random random(seed);
     Cubic b;
