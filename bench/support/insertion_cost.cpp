@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/insertion_cost.h"
 
-#include <algorithm>
 #include <optional>
 #include <span>
 #include <utility>
@@ -21,15 +20,12 @@ namespace {
 // Repeats the searches of RestrictedDelaunay::insert and of Refine's cones.
 class Repeater : public paper::Observer {
  public:
-  explicit Repeater(paper::Sigma& sigma)
-      : sigma_(sigma), box_(sigma.volume().box()), pairs_(sigma.volume(), sigma.kappa()) {}
+  explicit Repeater(paper::Sigma& sigma) : sigma_(sigma), pairs_(sigma.volume(), sigma.kappa()) {}
 
   // Counts the searches of S_0, which are on no clock.
-  void follow(const Triangulation& del) {
-    del_ = &del;
-    for_each_facet(del, [&](Facet f) {
-      if (!has_infinite_vertex(del, f)) facets_.push_back(f);
-    });
+  void follow(const paper::RestrictedDelaunay& restricted) {
+    restricted_ = &restricted;
+    for_each_facet(restricted.del(), [&](Facet f) { facets_.push_back(f); });
     count_pairs();
   }
   const SearchCounters& by_pairs() const { return pairs_.counters(); }
@@ -62,23 +58,17 @@ class Repeater : public paper::Observer {
     inserting_ += watch_.seconds() - std::exchange(since_, -1);
     const StepTimer observed(observed_);
     ++insertions_;
-    new_cells_.assign(1, del_->incident_cell(v));
+    const Triangulation& del = restricted_->del();
     facets_.clear();
-    for (std::size_t n = 0; n < new_cells_.size(); ++n) {
-      const CellId c = new_cells_[n];
+    for (const CellId c : restricted_->cells_at(v)) {
       for (int i = 0; i < 4; ++i) {
-        const CellId d = del_->neighbor(c, i);
-        const bool is_inner = del_->vertex(c, i) != v;
-        if (is_inner && std::ranges::find(new_cells_, d) == new_cells_.end()) {
-          new_cells_.push_back(d);
-        }
-        if ((!is_inner || c < d) && !has_infinite_vertex(*del_, {c, i})) facets_.push_back({c, i});
+        if (del.vertex(c, i) == v || c < del.neighbor(c, i)) facets_.push_back({c, i});
       }
     }
     {
       const StepTimer searching(searching_);
       for (const Facet f : facets_) {
-        if (const auto r = edge_of(f)) sigma_.intersect(*r, counters_);
+        if (const auto r = restricted_->voronoi_edge(f)) sigma_.intersect(*r, counters_);
       }
     }
     count_pairs();
@@ -96,22 +86,16 @@ class Repeater : public paper::Observer {
   }
 
  private:
-  std::optional<Segment> edge_of(Facet f) const {
-    const FacetDual edge = facet_dual(*del_, f);
-    const Range t = clip(edge.center, edge.normal, {edge.t_lo, edge.t_hi}, box_);
-    if (!(t.lo < t.hi)) return {};
-    return Segment{edge.at(t.lo), edge.at(t.hi)};
-  }
   void count_pairs() {
     SearchCounters not_counted;
     for (const Facet f : facets_) {
-      if (const auto r = edge_of(f)) pairs_.count(*r, !sigma_.intersect(*r, not_counted).empty());
+      if (const auto r = restricted_->voronoi_edge(f))
+        pairs_.count(*r, !sigma_.intersect(*r, not_counted).empty());
     }
   }
 
   paper::Sigma& sigma_;
-  Box3 box_;
-  const Triangulation* del_ = nullptr;
+  const paper::RestrictedDelaunay* restricted_ = nullptr;
   const TriMesh* mesh_ = nullptr;
   Stopwatch watch_;
   std::size_t insertions_ = 0;
@@ -119,7 +103,6 @@ class Repeater : public paper::Observer {
   double since_ = -1, inserting_ = 0;    // an insertion's begin, else -1; seconds of all of them
   PairSearches pairs_;
   SearchCounters counters_;
-  std::vector<CellId> new_cells_;
   std::vector<Facet> facets_;
 };
 
@@ -138,7 +121,7 @@ InsertionCosts measure_insertions(const OpenedDataset& opened, paper::Options op
 
   InsertionCosts costs;
   paper::Recovery s = paper::init_triangulation(sigma, options, report);
-  repeater.follow(s.del().del());
+  repeater.follow(s.del());
   repeater.begin();
   s.recover();
   costs.recover = repeater.cost();

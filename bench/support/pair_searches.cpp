@@ -4,20 +4,10 @@
 #include "isosurface/lattice_line.h"
 
 namespace deliso {
-namespace {
-
-std::size_t number_of(const Volume& volume, Index3 voxel) {
-  const auto columns = static_cast<std::size_t>(volume.voxels().i);
-  const auto rows = static_cast<std::size_t>(volume.voxels().j);
-  return static_cast<std::size_t>(voxel.i) +
-         columns * (static_cast<std::size_t>(voxel.j) + rows * static_cast<std::size_t>(voxel.k));
-}
-
-}  // namespace
 
 PairSearches::PairSearches(const Volume& volume, double kappa) : volume_(volume) {
   const Index3 n = volume.voxels();
-  is_active_.resize(number_of(volume, {0, 0, n.k}));
+  is_active_.resize(voxel_number(volume.dims(), {0, 0, n.k}));
   split({{0, 0, 0}, {n.i, n.j, n.k}}, kappa);
 }
 
@@ -46,7 +36,7 @@ void PairSearches::split(const Node& node, double kappa) {
   const Index3 first{node.lo[0], node.lo[1], node.lo[2]};
   const Index3 last{node.hi[0] - 1, node.hi[1] - 1, node.hi[2] - 1};
   for (const Index3& voxel : {first, last}) {
-    is_active_[number_of(volume_, voxel)] = has_inside && has_outside;
+    is_active_[voxel_number(volume_.dims(), voxel)] = has_inside && has_outside;
   }
 }
 
@@ -58,7 +48,7 @@ void PairSearches::count(const Segment& r, bool found) {
   if (range.lo < range.hi) {
     const Index3 first = line.voxel_after(range.lo, units.box());
     for (VoxelWalk walk(line, first, range); !walk.done(); walk.step()) {
-      crossed += is_active_[number_of(volume_, walk.voxel())];
+      crossed += is_active_[voxel_number(volume_.dims(), walk.voxel())];
     }
   }
   counters_ += {1, found, crossed, found ? crossed : 0};

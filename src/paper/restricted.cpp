@@ -25,14 +25,19 @@ std::size_t RestrictedDelaunay::slot(Facet f) const {
                          : 4 * std::size_t{g.cell} + static_cast<std::size_t>(g.index);
 }
 
-void RestrictedDelaunay::search(Facet f) {
-  if (has_infinite_vertex(del_, f)) return;
-  const FacetDual edge = facet_dual(del_, f);
+std::optional<Segment> RestrictedDelaunay::voronoi_edge(Facet sigma) const {
+  if (has_infinite_vertex(del_, sigma)) return {};
+  const FacetDual edge = facet_dual(del_, sigma);
   const Range t = clip(edge.center, edge.normal, {edge.t_lo, edge.t_hi}, box_);
-  if (!(t.lo < t.hi)) return;
+  if (!(t.lo < t.hi)) return {};
+  return Segment{edge.at(t.lo), edge.at(t.hi)};
+}
+
+void RestrictedDelaunay::search(Facet f) {
+  const std::optional<Segment> edge = voronoi_edge(f);
+  if (!edge) return;
   std::vector<Hit>& x = hits_[slot(f)];
-  for (const Hit& hit :
-       sigma_.intersect({edge.at(t.lo), edge.at(t.hi)}, report_.searches_recover)) {
+  for (const Hit& hit : sigma_.intersect(*edge, report_.searches_recover)) {
     if (!x.empty() && distance(x.back().point, hit.point) < Options::kClosest * report_.r_min) {
       x.pop_back();
       ++report_.cancelled_pairs;

@@ -10,9 +10,11 @@
 // stay.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "base/segment.h"
 #include "base/triangle.h"
 #include "delaunay/triangulation.h"
 #include "paper/intersect.h"
@@ -32,6 +34,8 @@ class RestrictedDelaunay {
   bool is_auxiliary(SiteId q) const { return deliso::is_auxiliary(del_.point(q), box_); }
   // Returns V_sigma cap Sigma, in order along the dual line of facet_dual().
   std::span<const Hit> hits(Facet sigma) const { return hits_[slot(sigma)]; }
+  // Returns V_sigma within the box; nothing if it is outside, or sigma has an infinite vertex.
+  std::optional<Segment> voronoi_edge(Facet sigma) const;
   // Returns the cells at q. Valid until the next call, or star().
   std::span<const CellId> cells_at(SiteId q) const;
   // Sets `d_q` to D_q: the facets of Del S|Sigma at q.

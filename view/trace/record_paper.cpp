@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "delaunay/voronoi.h"
 #include "paper/recover.h"
 
 namespace deliso {
@@ -92,10 +91,7 @@ void PaperRecorder::asks(paper::Reason reason, Facet sigma, SiteId q, double val
   event.ball = {x, distance(x, t.point(q != kNoId ? q : corners[0]))};
   const std::span<const Hit> hits = del_->hits(sigma);
   if (std::ranges::none_of(hits, [&](const Hit& h) { return h.point == x; })) return;
-  const FacetDual dual = facet_dual(t, sigma);
-  const Range range =
-      clip(dual.center, dual.normal, {dual.t_lo, dual.t_hi}, del_->sigma().volume().box());
-  event.edge = {dual.at(range.lo), dual.at(range.hi)};
+  event.edge = del_->voronoi_edge(sigma);
   for (const Hit& hit : hits) event.hits.push_back(hit.point);
 }
 
