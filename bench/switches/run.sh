@@ -5,9 +5,10 @@
 # ("Record: TITLE"), options that its runs need, if any ("Options: --vertices 10000"), and, where meshes
 # do not tell what the mechanism is for, what does ("Judged: ..."): "by tests", which must fail with the
 # switch as with a mutant ("Tests: ROOM", make mutants); "by instructions", counted by Valgrind;
-# "by cores"; "by proof", which its record names; or "constant": neither value is better. A switch is
-# made in a copy of the tree, where only what it touches is built again. Its program and the one without
-# it mesh five volumes, each in several quarter turns, and `quality` measures the meshes.
+# "by cores"; "by volumes", more than the table's; "by proof": its record names both; or "constant":
+# neither value is better. A switch is made in a copy of the tree, where only what it touches is built
+# again. Its program and the one without it mesh five volumes, each in several quarter turns, and
+# `quality` measures the meshes.
 # Usage: run.sh --check                   patches, records and the rows of the table fit together
 #        run.sh BUILD PAGE DATA [NAME...] BUILD has bench/quality; all switches, or these. Their rows go
 #                                         into PAGE's table. Programs and runs stay in BUILD/switches.
@@ -22,7 +23,7 @@ if [ "$1" = --check ]; then
   for name in $(all_patches); do
     still_applies "$name" || wrong=1
     case $(head_of "$name" Judged):$(head_of "$name" Tests) in
-      "by tests":?* | "by instructions": | "by cores": | "by proof": | constant: | :) ;;
+      "by tests":?* | "by instructions": | "by volumes": | "by cores": | "by proof": | constant: | :) ;;
       *) echo "$name: \"Judged\" and \"Tests\" do not fit"; wrong=1 ;;
     esac
   done
