@@ -59,10 +59,10 @@ measure() {
   mv "$runs.part" "$runs"
 }
 
-# Prints the instructions of the program $1 on three built-in fields, a line each.
+# Prints the instructions of the program $1 with the options $2 on three built-in fields, a line each.
 instructions() {
   for field in noise:32 gyroid:48 machine:48; do
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$1" "builtin:$field" --threads 1 -q \
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$1" "builtin:$field" $2 --threads 1 -q \
       -o "$work/counted.ply" 2>&1 | sed -n 's/.*Collected : //p'
   done
 }
@@ -93,12 +93,13 @@ for name in $names; do
   cp -Rp "$work/built" "$work/tree"
   apply "$name" "$work/tree"
   build_program "$work/$name"
-  measure "$work/$name" "$work/$name.tsv" --options "$(head_of "$name" Options)"
+  options=$(head_of "$name" Options)
+  measure "$work/$name" "$work/$name.tsv" --options "$options"
   : >"$work/counts"
   judged=$(head_of "$name" Judged)
   if [ "$judged" = 'by instructions' ] && command -v valgrind >/dev/null; then
-    [ -f "$work/base.counts" ] || instructions "$work/base" >"$work/base.counts"
-    instructions "$work/$name" | paste "$work/base.counts" - >"$work/counts"
+    instructions "$work/base" "$options" >"$work/base.counts"
+    instructions "$work/$name" "$options" | paste "$work/base.counts" - >"$work/counts"
   fi
   rm "$work/$name"
 
