@@ -95,9 +95,7 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
   if (at.volume.inner_faces() == 0) return block;
   // Blocks wait for each other.
   block.samples_near_seams.shrink_to_fit();
-  block.mesh.mesh.points.shrink_to_fit();
-  block.mesh.mesh.faces.shrink_to_fit();
-  block.mesh.duals.shrink_to_fit();
+  block.mesh.shrink_to_fit();
   return block;
 }
 

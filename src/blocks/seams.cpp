@@ -249,6 +249,8 @@ class SeamWork {
     for (std::size_t f = 0; f < changed.size(); ++f) patch.is_done[f] &= changed[f] == 0;
     patch.is_done = refine_part(patch.mesh, patch.samples, given,
                                 {patch.free_box, std::move(patch.is_done), true});
+    patch.samples = {};  // patches wait for each other
+    patch.mesh.shrink_to_fit();
   }
 
   // Puts what was refined back into the whole, and marks what is left to do there.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/memory.h"
 #include "mesh/first_at_place.h"
 
 namespace deliso {
@@ -200,41 +201,38 @@ class Welder {
     }
   }
 
-  // Moves the blocks' meshes to the whole, one array after the other, so that only one at a time
-  // exists twice. Refine at the seams finds some room.
+  // Moves the blocks' meshes to the whole, block by block, so that only one at a time exists twice.
+  // Refine at the seams finds some room.
   void move_meshes() {
     SurfaceMesh& whole = out_.mesh;
     whole.mesh.points.reserve(with_room(vertices_));
     whole.mesh.points.resize(vertices_);
     out_.may_thin.resize(vertices_, 0);
     std::size_t facets = 0;
-    for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
-      IdArray<VertexId, Vec3> points = std::move(blocks_[b].mesh.mesh.points);
-      const IdArray<VertexId, std::uint8_t> may_thin = std::move(blocks_[b].may_thin);
-      for (VertexId v = 0; v < points.size(); ++v) {
-        whole.mesh.points[new_id_[b][v]] = points[v];
-        out_.may_thin[new_id_[b][v]] |= may_thin[v];
-      }
-      facets += blocks_[b].mesh.mesh.faces.size();
-    }
+    for (const Block& block : blocks_) facets += block.mesh.mesh.faces.size();
+    const std::size_t blocks_at_once = blocks_.size() / 8 + 1;
     whole.mesh.faces.reserve(with_room(facets));
-    for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
-      append_facets(b);
-      append_seam_work(blocks_[b]);
-    }
     whole.duals.reserve(with_room(facets));
-    for (Block& block : blocks_) {
-      const IdArray<FaceId, Dual> duals = std::move(block.mesh.duals);
-      whole.duals.insert(whole.duals.end(), duals.begin(), duals.end());
+    for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+      Block block = std::move(blocks_[b]);
+      const IdArray<VertexId, VertexId> id = std::move(new_id_[b]);
+      const auto& points = block.mesh.mesh.points;
+      for (VertexId v = 0; v < points.size(); ++v) {
+        whole.mesh.points[id[v]] = points[v];
+        out_.may_thin[id[v]] |= block.may_thin[v];
+      }
+      append_facets(block.mesh.mesh.faces, id);
+      whole.duals.insert(whole.duals.end(), block.mesh.duals.begin(), block.mesh.duals.end());
+      append_seam_work(block);
+      block = {};
+      if (b % blocks_at_once == 0) give_back_freed_memory();
     }
   }
 
   static std::size_t with_room(std::size_t size) { return size + size / 16; }
 
   // Moves the block's facets to the whole. Collects their sides that two vertices of seams have.
-  void append_facets(std::uint32_t b) {
-    const IdArray<FaceId, Face> faces = std::move(blocks_[b].mesh.mesh.faces);
-    const IdArray<VertexId, VertexId>& id = new_id_[b];
+  void append_facets(const IdArray<FaceId, Face>& faces, const IdArray<VertexId, VertexId>& id) {
     IdArray<FaceId, Face>& whole = out_.mesh.mesh.faces;
     const std::size_t first = whole.size();
     for (Face face : faces) {
@@ -256,7 +254,6 @@ class Welder {
   void append_seam_work(Block& block) {
     const auto append = [](auto& from, auto& to) {
       to.insert(to.end(), std::move_iterator(from.begin()), std::move_iterator(from.end()));
-      std::exchange(from, {});
     };
     append(block.samples_near_seams, out_.samples_near_seams);
     append(block.samples, out_.samples);

@@ -26,6 +26,12 @@ FacetShape SurfaceMesh::shape(const Triangle& v, const Dual& dual) const {
   return shape;
 }
 
+void SurfaceMesh::shrink_to_fit() {
+  mesh.points.shrink_to_fit();
+  mesh.faces.shrink_to_fit();
+  duals.shrink_to_fit();
+}
+
 Dual dual_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
   // The furthest corner: a rounded point is not equally far from the corners of a needle.
   return {x, std::max({distance2(x, a), distance2(x, b), distance2(x, c)}), true};

@@ -35,6 +35,8 @@ struct SurfaceMesh {
 
   // Returns the measures of a facet; without a surface point h is r.
   FacetShape shape(const Triangle& v, const Dual& dual) const;
+  // Keeps no room for more.
+  void shrink_to_fit();
 };
 
 // Return the dual of a facet whose line meets Sigma at x, or misses Sigma.
