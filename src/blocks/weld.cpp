@@ -210,7 +210,7 @@ class Welder {
     out_.may_thin.resize(vertices_, 0);
     std::size_t facets = 0;
     for (const Block& block : blocks_) facets += block.mesh.mesh.faces.size();
-    const std::size_t blocks_at_once = blocks_.size() / 8 + 1;
+    std::size_t kept = 0;
     whole.mesh.faces.reserve(with_room(facets));
     whole.duals.reserve(with_room(facets));
     for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
@@ -225,7 +225,10 @@ class Welder {
       whole.duals.insert(whole.duals.end(), block.mesh.duals.begin(), block.mesh.duals.end());
       append_seam_work(block);
       block = {};
-      if (b % blocks_at_once == 0) give_back_freed_memory();
+      if (whole.mesh.faces.size() - kept > kFacetsGivenBack) {
+        give_back_freed_memory();
+        kept = whole.mesh.faces.size();
+      }
     }
   }
 
