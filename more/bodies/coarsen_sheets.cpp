@@ -524,14 +524,9 @@ class SheetCoarsener {
     const VertexId a = q.a, b = q.b, c = q.c, d = q.d;
     const Vec3 &pa = mesh_.points[a], &pb = mesh_.points[b], &pc = mesh_.points[c],
                &pd = mesh_.points[d];
-    const double at_a = dot(pb - pa, pc - pa), at_d = dot(pb - pd, pc - pd);
-    const Vec3 n = area_normal(pa, pb, pc), m = area_normal(pd, pc, pb);
-    if (at_a * length(m) + at_d * length(n) >= 0) return;
-    const double worst2 = std::max(radius_ratio2(pa, pb, pc), radius_ratio2(pd, pc, pb));
-    const FacetTest& test = borders_[cut_.sheet[f]].test;
     added_.clear();
-    if (kept_[vertex(a)] + kept_[vertex(d)] == 2 || !test.holds(pa, pb, pd, n + m, worst2) ||
-        !test.holds(pd, pc, pa, n + m, worst2) || !add_edge(vertex(a), vertex(d))) {
+    if (!borders_[cut_.sheet[f]].test.asks_flip(pa, pb, pc, pd) ||
+        kept_[vertex(a)] + kept_[vertex(d)] == 2 || !add_edge(vertex(a), vertex(d))) {
       return;
     }
     const auto [ab, bd, dc, ca] = sides_of(mesh_, q);

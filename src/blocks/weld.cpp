@@ -210,10 +210,10 @@ class Welder {
     out_.may_thin.resize(vertices_, 0);
     std::size_t facets = 0;
     for (const Block& block : blocks_) facets += block.mesh.mesh.faces.size();
-    std::size_t kept = 0;
     whole.mesh.faces.reserve(with_room(facets));
     whole.duals.reserve(with_room(facets));
     for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+      const std::size_t before = whole.mesh.faces.size() / kFacetsGivenBack;
       Block block = std::move(blocks_[b]);
       const IdArray<VertexId, VertexId> id = std::move(new_id_[b]);
       const auto& points = block.mesh.mesh.points;
@@ -225,10 +225,7 @@ class Welder {
       whole.duals.insert(whole.duals.end(), block.mesh.duals.begin(), block.mesh.duals.end());
       append_seam_work(block);
       block = {};
-      if (whole.mesh.faces.size() - kept > kFacetsGivenBack) {
-        give_back_freed_memory();
-        kept = whole.mesh.faces.size();
-      }
+      if (whole.mesh.faces.size() / kFacetsGivenBack > before) give_back_freed_memory();
     }
   }
 

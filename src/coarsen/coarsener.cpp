@@ -191,21 +191,15 @@ void Coarsener::flip_edges() {
 // Flips the edge of f opposite its corner i if the angles across it sum to more than pi.
 void Coarsener::flip(FaceId f, int i) {
   const Quad q = quad_at(mesh_, f, i);
-  const VertexId a = q.a, b = q.b, c = q.c, d = q.d;
-  const Vec3 &pa = mesh_.points[a], &pb = mesh_.points[b], &pc = mesh_.points[c],
-             &pd = mesh_.points[d];
-  const double at_a = dot(pb - pa, pc - pa), at_d = dot(pb - pd, pc - pd);
-  const Vec3 n = area_normal(pa, pb, pc), m = area_normal(pd, pc, pb);
-  if (at_a * length(m) + at_d * length(n) >= 0) return;
-  const double worst2 = std::max(radius_ratio2(pa, pb, pc), radius_ratio2(pd, pc, pb));
-  if (kept_[a] + kept_[d] == 2 || joins_on_box(a, d) || joined(a, d) ||
-      !test_.holds(pa, pb, pd, n + m, worst2) || !test_.holds(pd, pc, pa, n + m, worst2)) {
+  const auto& p = mesh_.points;
+  if (!test_.asks_flip(p[q.a], p[q.b], p[q.c], p[q.d]) || kept_[q.a] + kept_[q.d] == 2 ||
+      joins_on_box(q.a, q.d) || joined(q.a, q.d)) {
     return;
   }
   deliso::flip(mesh_, facet_, q);
   changed_[f.number()] = changed_[q.g.number()] = 1;
-  wake(b, c);
-  wake(c, b);
+  wake(q.b, q.c);
+  wake(q.c, q.b);
 }
 
 }  // namespace deliso

@@ -82,6 +82,16 @@ struct FacetTest {
     const Shape shape = f.shape();
     return shape.is_within(std::max(ratio2, worst2)) && has_surface_near(f, shape.r2);
   }
+
+  // True if the angles at a and d, across the edge of abc and dcb, sum to more than pi, and the
+  // facets after its flip hold.
+  bool asks_flip(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
+    const double at_a = dot(b - a, c - a), at_d = dot(b - d, c - d);
+    const Vec3 n = area_normal(a, b, c), m = area_normal(d, c, b);
+    if (at_a * length(m) + at_d * length(n) >= 0) return false;
+    const double worst2 = std::max(radius_ratio2(a, b, c), radius_ratio2(d, c, b));
+    return holds(a, b, d, n + m, worst2) && holds(d, c, a, n + m, worst2);
+  }
 };
 
 }  // namespace deliso
