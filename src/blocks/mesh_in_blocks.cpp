@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/memory.h"
 #include "base/parallel.h"
 #include "base/text.h"
 #include "blocks/order.h"
@@ -73,7 +72,6 @@ Block refined_at_seams(const RunInput& run, const BlockGrid& grid, Block whole,
     if (!run.options.stop_after_stage1) {
       refine_seams(in_blocks, whole, is_due, run.parameters.observer);
     }
-    if (whole.mesh.mesh.faces.size() > kFacetsGivenBack) give_back_freed_memory();
     order_by_place(whole, grid, run.source.shape, run.options.threads);
   }
   if (whole.mesh.mesh.points.size() > run.parameters.max_vertices) {

@@ -12,14 +12,22 @@
 namespace deliso {
 namespace {
 
-// Returns the array with the elements in the order of their old ids.
+// Moves each element to its new id; kNoId: it goes. In place, as a whole mesh is too large to have
+// twice. pre: the new ids are those below `count`.
 template <class Id, class T>
-IdArray<Id, T> in_order(const IdArray<Id, T>& old, const std::vector<Id>& order) {
-  if (old.empty()) return {};
-  IdArray<Id, T> ordered;
-  ordered.reserve(order.size());
-  for (const Id n : order) ordered.push_back(old[n]);
-  return ordered;
+void renumber(IdArray<Id, T>& values, const std::vector<Id>& new_id, std::size_t count) {
+  if (values.empty()) return;
+  std::vector<std::uint8_t> has_left(values.size(), 0);
+  for (std::size_t first = 0; first < values.size(); ++first) {
+    T value = values[Id(first)];
+    // Each element that makes room for another is the next to be moved.
+    for (Id old(first); has_left[old] == 0 && new_id[old] != kNoId;) {
+      has_left[old] = 1;
+      old = new_id[old];
+      std::swap(value, values[old]);
+    }
+  }
+  values.resize(count);
 }
 
 std::vector<VertexId> vertex_order(const TriMesh& mesh, const BlockGrid& grid, const Grid& shape,
@@ -70,8 +78,8 @@ void order_by_place(Block& block, const BlockGrid& grid, const Grid& shape, int 
   const std::vector<VertexId> vertices = vertex_order(mesh, grid, shape, threads);
   std::vector<VertexId> new_id(mesh.points.size(), kNoId);
   for (VertexId v = 0; v < vertices.size(); ++v) new_id[vertices[v.number()]] = v;
-  mesh.points = in_order(mesh.points, vertices);
-  block.may_thin = in_order(block.may_thin, vertices);
+  renumber(mesh.points, new_id, vertices.size());
+  renumber(block.may_thin, new_id, vertices.size());
   s.chain = s.chain.renumbered(new_id);
 
   for (Face& face : mesh.faces) {
@@ -82,14 +90,14 @@ void order_by_place(Block& block, const BlockGrid& grid, const Grid& shape, int 
   const std::vector<FaceId> facets = facet_order(mesh.faces, mesh.points.size());
   IdArray<FaceId, FaceId> new_face(mesh.faces.size(), kNoId);
   for (FaceId f = 0; f < facets.size(); ++f) new_face[facets[f.number()]] = f;
-  mesh.faces = in_order(mesh.faces, facets);
+  renumber(mesh.faces, new_face, facets.size());
   for (Face& face : mesh.faces) {
     for (FaceId& g : face.n) {
       if (g != kNoId) g = new_face[g];
     }
   }
-  s.duals = in_order(s.duals, facets);
-  block.is_open = in_order(block.is_open, facets);
+  renumber(s.duals, new_face, facets.size());
+  renumber(block.is_open, new_face, facets.size());
 }
 
 }  // namespace deliso

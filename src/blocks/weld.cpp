@@ -14,6 +14,9 @@
 namespace deliso {
 namespace {
 
+// Memory goes back to the system after so many facets, about 64 MB of blocks: it costs time.
+constexpr std::size_t kFacetsGivenBack = 1 << 18;
+
 // Parts that a process reads may be forged.
 void require_fit(bool condition) {
   if (!condition) throw InputError("the boundary curves of the parts do not fit together");

@@ -6,7 +6,6 @@
 // loops of the whole: on the box, and along seams to blocks that are not there.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -17,9 +16,6 @@ namespace deliso {
 // True if the cell (blocks/grid.h) with this voxel is in another part, so that seams to it stay.
 // Null: no cell is.
 using IsElsewhere = std::function<bool(Index3 voxel)>;
-
-// Memory is given back to the system after so many facets, about 64 MB of blocks: it costs time.
-inline constexpr std::size_t kFacetsGivenBack = 1 << 18;
 
 // Returns the blocks as one. Empties them. Their order is that of the result's vertices and facets.
 // pre: there is a block; the work at seams is marked.
