@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <queue>
@@ -29,22 +30,19 @@ struct Token {
 };
 
 // A length or a distance as its symbol and the bits that follow it (RFC 1951, 3.2.5). There are
-// `group` symbols for each number of extra bits, so each group covers twice the range of the last.
+// `group` symbols, a power of two, for each number of extra bits, so each group covers twice the
+// range of the last.
 struct Symbol {
   std::size_t symbol;
   std::uint32_t extra;
   int extra_bits;
 };
 
-Symbol symbol_of(std::uint32_t value, std::size_t group) {
-  std::uint32_t base = 0;
-  std::size_t symbol = 0;
-  for (int bits = 0;; ++bits) {
-    for (std::size_t n = bits == 0 ? 2 * group : group; n > 0; --n, ++symbol) {
-      if (value < base + (1u << bits)) return {symbol, value - base, bits};
-      base += 1u << bits;
-    }
-  }
+Symbol symbol_of(std::uint32_t value, std::uint32_t group) {
+  if (value < 2 * group) return {value, 0, 0};
+  const int bits = std::bit_width(value) - std::bit_width(group);
+  return {group * static_cast<std::uint32_t>(bits) + (value >> bits), value & ((1u << bits) - 1),
+          bits};
 }
 
 Symbol length_symbol(std::uint16_t length) {
@@ -82,8 +80,11 @@ std::vector<Token> find_repetitions(std::string_view bytes) {
     std::size_t length = 0, distance = 0;
     std::uint32_t candidate = enter(at);
     for (int n = 0; n < kChain && candidate != kNone && at - candidate <= kWindow; ++n) {
+      // A longer match has the next byte, too.
       std::size_t same = 0;
-      while (same < longest && bytes[candidate + same] == bytes[at + same]) ++same;
+      if (bytes[candidate + length] == bytes[at + length]) {
+        while (same < longest && bytes[candidate + same] == bytes[at + same]) ++same;
+      }
       if (same > length) {
         length = same;
         distance = at - candidate;
