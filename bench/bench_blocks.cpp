@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/memory.h"
 #include "deliso/mesh_isosurface.h"
 #include "io/volume/builtin_volume.h"
 #include "io/volume/read_volume.h"
@@ -126,6 +127,7 @@ void print_row(const std::string& input, double isovalue) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_freed_memory();  // as the program does
   std::printf("%-22s %9s %6s %6s %8s %8s", "input", "vertices", "blocks", "boxes", "seconds",
               "alone");
   for (const int threads : kThreads) std::printf(" %6d", threads);

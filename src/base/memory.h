@@ -10,8 +10,8 @@
 
 namespace deliso {
 
-// Keeps it for later, but for arrays from 1 MiB on. Each page that comes from the system again is
-// cleared first: of ENGINE's time that was a quarter. For a program to call as it begins.
+// Keeps it for later, but for arrays from 1 MiB on. A page that comes from the system again is
+// cleared first, which takes time. For a program to call as it begins.
 inline void keep_freed_memory() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
