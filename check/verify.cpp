@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
+#include <memory>
 #include <utility>
 
+#include "base/cancel.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
@@ -226,17 +229,24 @@ void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<Triangl
   }
 }
 
+// T, and what finds its triangles: what the volume alone tells.
+struct VolumeContour {
+  VolumeContour(const Volume& volume, double kappa, double tolerance)
+      : contour(build_contour(volume, kappa)), voxels(contour, volume, tolerance) {}
+
+  ContourMesh contour;
+  VoxelComponents voxels;
+};
+
 // Compares the mesh's components and their topology with T's, and tells `result`. Returns the
 // vertices of T on the components that the mesh is to have. `off`: bounds on the triangles'
 // distances from Sigma.
 std::vector<Vec3> compare_topology(const CleanMesh& mesh, const TriangleTree& tree,
                                    const std::vector<TriangleDistances>& off,
-                                   const Isosurface& surface, const VerifyOptions& options,
-                                   Verification& result) {
-  const Volume& volume = surface.volume();
-  ContourMesh contour = build_contour(volume, surface.kappa());
-  const VoxelComponents voxels(contour, volume, result.tolerance);
-  const ExactSurface exact{surface, contour, voxels};
+                                   const Isosurface& surface, VolumeContour& of_volume,
+                                   const VerifyOptions& options, Verification& result) {
+  ContourMesh& contour = of_volume.contour;
+  const ExactSurface exact{surface, contour, of_volume.voxels};
   const ComparedComponents compared = compare_components(
       mesh, exact, result.tolerance, options.components, options.threads, result.faults);
   result.exact = contour.summary.topology();
@@ -372,8 +382,15 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.vertices = mesh.points.size();
   result.triangles = mesh.faces.size();
   result.tolerance = std::max(kToleranceVoxels * voxel, options.tolerance);
-  const int threads = options.threads;
   Stopwatch watch;
+  // T is built beside what is measured on the mesh alone.
+  auto of_volume =
+      std::async(options.threads > 1 ? std::launch::async : std::launch::deferred,
+                 [&volume, kappa, tolerance = result.tolerance, flag = CancelScope::flag()] {
+                   const CancelScope scope(flag);
+                   return std::make_unique<VolumeContour>(volume, kappa, tolerance);
+                 });
+  const int threads = std::max(1, options.threads - 1);
 
   CleanMesh whole =
       check_validity(mesh, volume.box(), options.solid ? MayEnd::nowhere : MayEnd::on_box, faults);
@@ -426,17 +443,18 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
       distances_to_surface(clean, surface, search_limit(volume), {bound, r_min}, threads, &off);
   result.seconds_distances = watch.restart();
   report_progress(0.6);
-  const std::vector<Vec3> samples = compare_topology(clean, tree, off, surface, options, result);
+  const std::vector<Vec3> samples =
+      compare_topology(clean, tree, off, surface, *of_volume.get(), options, result);
   result.seconds_topology = watch.restart();
   report_progress(0.8);
-  result.from_surface =
-      distances_from_surface(samples, clean, tree, {kFromSurfaceFactor * bound, r_min}, threads);
+  result.from_surface = distances_from_surface(
+      samples, clean, tree, {kFromSurfaceFactor * bound, r_min}, options.threads);
   result.seconds_distances += watch.restart();
   check_share(mesh, clean, options.restricted_share, result);
   if (options.triangulate) {
     CleanMesh as_given = clean;
     as_given.points = std::move(given);
-    result.voronoi = count_voronoi_edges(as_given, surface, threads);
+    result.voronoi = count_voronoi_edges(as_given, surface, options.threads);
   }
   result.seconds_delaunay += watch.restart();
   if (result.from_surface.given_up > 0) {  // unreachable: quick tests are too small

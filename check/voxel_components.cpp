@@ -12,6 +12,7 @@ VoxelComponents::VoxelComponents(const ContourMesh& contour, const Volume& volum
     : volume_(volume) {
   const Vec3 least = volume.least_spacing();
   tolerance_voxels_ = tolerance / std::min({least.x, least.y, least.z});
+  entries_.reserve(contour.summary.active_voxels);
   for (std::uint32_t n = 0; n < contour.triangles.size(); ++n) {
     const auto& t = contour.triangles[n];
     const Vec3 middle = (contour.points[t[0]] + contour.points[t[1]] + contour.points[t[2]]) / 3;
