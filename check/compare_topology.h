@@ -16,9 +16,15 @@ namespace deliso {
 
 // What a mesh is held against.
 struct ExactSurface {
+  // `tolerance`: of vertices on Sigma.
+  ExactSurface(const Isosurface& of, double tolerance)
+      : surface(of),
+        contour(build_contour(of.volume(), of.kappa())),
+        voxels(contour, of.volume(), tolerance) {}
+
   const Isosurface& surface;
-  const ContourMesh& contour;     // T
-  const VoxelComponents& voxels;  // of T
+  ContourMesh contour;     // T
+  VoxelComponents voxels;  // of T
 };
 
 struct ComparedComponents {

@@ -229,27 +229,15 @@ void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<Triangl
   }
 }
 
-// T, and what finds its triangles: what the volume alone tells.
-struct VolumeContour {
-  VolumeContour(const Volume& volume, double kappa, double tolerance)
-      : contour(build_contour(volume, kappa)), voxels(contour, volume, tolerance) {}
-
-  ContourMesh contour;
-  VoxelComponents voxels;
-};
-
 // Compares the mesh's components and their topology with T's, and tells `result`. Returns the
 // vertices of T on the components that the mesh is to have. `off`: bounds on the triangles'
 // distances from Sigma.
 std::vector<Vec3> compare_topology(const CleanMesh& mesh, const TriangleTree& tree,
-                                   const std::vector<TriangleDistances>& off,
-                                   const Isosurface& surface, VolumeContour& of_volume,
+                                   const std::vector<TriangleDistances>& off, ExactSurface& exact,
                                    const VerifyOptions& options, Verification& result) {
-  ContourMesh& contour = of_volume.contour;
-  const ExactSurface exact{surface, contour, of_volume.voxels};
   const ComparedComponents compared = compare_components(
       mesh, exact, result.tolerance, options.components, options.threads, result.faults);
-  result.exact = contour.summary.topology();
+  result.exact = exact.contour.summary.topology();
   result.equal_components = compared.equal;
   result.left_out = static_cast<std::uint64_t>(std::ranges::count(compared.kept, 0));
   const std::vector<std::uint8_t> on_surface =
@@ -257,8 +245,8 @@ std::vector<Vec3> compare_topology(const CleanMesh& mesh, const TriangleTree& tr
   if (options.most_over_limit < 1) {
     check_triangles_on_surface(mesh, off, on_surface, exact, result);
   }
-  keep_components(contour, compared.kept);
-  return std::move(contour.points);
+  keep_components(exact.contour, compared.kept);
+  return std::move(exact.contour.points);
 }
 
 // If a least share is required, an unmeasured share is a fault. A lower share is a fault if there
@@ -383,13 +371,13 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.triangles = mesh.faces.size();
   result.tolerance = std::max(kToleranceVoxels * voxel, options.tolerance);
   Stopwatch watch;
-  // T is built beside what is measured on the mesh alone.
-  auto of_volume =
-      std::async(options.threads > 1 ? std::launch::async : std::launch::deferred,
-                 [&volume, kappa, tolerance = result.tolerance, flag = CancelScope::flag()] {
-                   const CancelScope scope(flag);
-                   return std::make_unique<VolumeContour>(volume, kappa, tolerance);
-                 });
+  const Isosurface surface(volume, kappa);
+  // The exact contour is made beside what is measured on the mesh alone.
+  auto exact = std::async(options.threads > 1 ? std::launch::async : std::launch::deferred,
+                          [&, flag = CancelScope::flag(), tolerance = result.tolerance] {
+                            const CancelScope scope(flag);
+                            return std::make_unique<ExactSurface>(surface, tolerance);
+                          });
   const int threads = std::max(1, options.threads - 1);
 
   CleanMesh whole =
@@ -405,7 +393,6 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.seconds_validity = watch.restart();
   report_progress(0.1);
 
-  const Isosurface surface(volume, kappa);
   const double bound = options.limits[Criterion::distance], r_min = options.limits.r_min;
   const auto intersections = report_self_intersections(mesh, whole, threads, faults);
   // Up to here the points as given tell, and in the triangulation. What else follows is measured.
@@ -444,7 +431,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.seconds_distances = watch.restart();
   report_progress(0.6);
   const std::vector<Vec3> samples =
-      compare_topology(clean, tree, off, surface, *of_volume.get(), options, result);
+      compare_topology(clean, tree, off, *exact.get(), options, result);
   result.seconds_topology = watch.restart();
   report_progress(0.8);
   result.from_surface = distances_from_surface(
