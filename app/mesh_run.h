@@ -34,7 +34,6 @@ struct Examination {
   MeshQuality quality;         // of the surface
   ClosePlaces close;           // of the surface
   SolidSummary solid;          // with --cap; of labels the volume alone
-  double max_off_surface = 0;  // of vertices that --cap needs off the surface; scaled frame
 };
 
 // Faults of the mesh as it is in the file, and as it would be in double precision, near the origin.

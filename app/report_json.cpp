@@ -175,10 +175,6 @@ void add_mesh(ReportWriter& out, const MeshRun& run) {
   out.add("vertices", run.found.vertices, "caps included");
   out.add("triangles", run.found.triangles, "caps included");
   add_count_stop(out, counted_mesh(run));
-  out.optional(report[Counter::cap_lifts_off_surface] > 0)
-      .add(
-          "max_off_surface_voxels", run.found.max_off_surface / run.input.grid().voxel(),
-          "with --cap: the largest distance of a vertex from the surface, if some had to leave it");
   out.add("fault", run.found.fault, "the first rule of a mesh that it breaks; empty: none");
   add_topology(out, "topology", run.found.topology, "of the mesh, without caps");
   add_topology(out, "exact_topology", report.exact, "of the surface");

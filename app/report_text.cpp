@@ -213,12 +213,6 @@ std::string report_text(const MeshRun& run) {
   } else if (options.cap) {
     lines += text("solid     FAULT: not closed on the box: ", report.cap.failure, "\n");
   }
-  const std::uint64_t off_surface = report[Counter::cap_lifts_off_surface];
-  if (off_surface > 0) {
-    lines += text("off       ", counted(off_surface, "vertex", "vertices"), " up to ",
-                  rounded(run.found.max_off_surface / run.input.grid().voxel()),
-                  " voxels off the surface, to keep edges out of the faces of the box\n");
-  }
   if (run.input.field.label && run.has_volume()) {
     lines += text("volume    ", volume_text(run.volume()), " in the mesh, ",
                   fixed(100 * (run.volume() / run.input.field.label->volume - 1), 2),

@@ -68,18 +68,6 @@ TriMesh part_of(const TriMesh& mesh, std::size_t begin, std::size_t end) {
   return make_tri_mesh(mesh.points, std::span(all).subspan(begin, end - begin));
 }
 
-// Returns the largest distance from the surface of a vertex that is not only in caps. Four voxels
-// stand for any larger one.
-double max_off_surface(const Volume& volume, const TriMesh& mesh, const Report& report) {
-  const Isosurface surface(volume, report.kappa_effective);
-  double largest = 0;
-  for (VertexId v = 0; v < report.cap.surface_vertices; ++v) {
-    largest =
-        std::max(largest, distance_off_surface(mesh.points[v], surface, 0, 4 * volume.voxel()));
-  }
-  return largest;
-}
-
 ClosePlaces close_places(const TriMesh& mesh, const VolumeSource& field, int threads) {
   const std::vector<Triangle> triangles = mesh.triangles();
   const VertexGrids grids(mesh.points, triangles);
@@ -130,10 +118,6 @@ Examination examine(const TriMesh& mesh, const TriMesh& surface, bool reported,
       found.solid.close_places =
           count_at_caps(close_places(mesh, field, options.threads), triangles, is_cap);
     });
-  }
-  if (reported && options.cap && run.report[Counter::cap_lifts_off_surface] > 0) {
-    looks.emplace_back(
-        [&] { found.max_off_surface = max_off_surface(all_of(field), mesh, run.report); });
   }
   for_each_task(options.threads, looks.size(), [&](std::size_t n) { looks[n](); });
   if (found.fault.empty()) found.fault = boundary_fault;

@@ -271,10 +271,7 @@ PartFile part_in(std::span<const std::byte> bytes, std::string_view name) {
               are_flags(part.block.may_thin),
           name, "its marks");
   // Caps are made of the joined mesh.
-  for (const Counter of_caps :
-       {Counter::cap_lifts_off_surface, Counter::cap_not_lifted, Counter::cap_refused}) {
-    require(part.block.report[of_caps] == 0, name, "its counters");
-  }
+  require(part.block.report[Counter::cap_refused] == 0, name, "its counters");
   require_sound_components(part.block, shape.voxels(), name);
   require_sound_curves(loops, places, s.mesh.points.size(), box, name);
   link_chain(s, std::move(places), name);

@@ -5,7 +5,6 @@
 #include "base/text.h"
 #include "mesh/tri_mesh.h"
 #include "more/cap/box_caps.h"
-#include "more/cap/lift_off.h"
 
 namespace deliso {
 
@@ -24,7 +23,6 @@ void close_on_box(SurfaceMesh& s, const std::array<bool, 8>& inside, const Given
   const StepTimer timer(report.seconds_cap);
   TriMesh& mesh = s.mesh;
   CapReport& result = report.cap;
-  report[Counter::cap_not_lifted] += lift_off(s, given);
   result.surface_vertices = mesh.points.size();
   result.surface_triangles = mesh.faces.size();
   BoxCaps caps(mesh, given.surface.volume().box(), inside);

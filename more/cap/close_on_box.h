@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // --cap: closes the surface on the box of the volume, to the boundary of the solid {f >= kappa}.
 //
-// The mesh is changed to touch the box along its boundary alone (more/cap/lift_off.h). Boundary
+// The mesh touches the box along its boundary alone (S3 of surface/surface_mesh.h). Boundary
 // edges of an embedded mesh never cross. Where those of another mesh do, the solid stays open.
 #pragma once
 

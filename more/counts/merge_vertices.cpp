@@ -238,7 +238,7 @@ class Merging {
   // pre: star_.
   std::optional<Refusal> merge(VertexId from, VertexId to) {
     Gates gates;
-    gates.surface_points = gates.orients_flat = ask_ != Ask::topology;
+    gates.surface_points = ask_ != Ask::topology;
     const auto stays = [&](const Replacement& c) -> std::optional<Refusal> {
       // Asked before the first dual.
       if (!c.duals.empty() || !orientation_.passes_component(c.cavity.disk, from, to)) return {};

@@ -26,10 +26,12 @@ constexpr double kSharpCosine = 0.7;
 
 Coarsener::Coarsener(SurfaceMesh& s, const Given& given, double distance, const CoarsenScope& scope,
                      std::span<const std::uint8_t> kept)
-    : mesh_(s.mesh),
+    : s_(s),
+      mesh_(s.mesh),
       chain_(s.chain),
       curves_(given.curves),
       box_(given.surface.volume().box()),
+      within_(given.surface.volume().within()),
       test_(given.surface.volume(), given.surface.kappa(), given.parameters, distance),
       scope_(scope),
       kept_(kept),
@@ -110,10 +112,13 @@ bool Coarsener::keeps_link() const {
   for (int n = 1; n < hole_.size(); ++n) {  // each facet after the first brings one edge
     const auto& corner = hole_.facet(n).corner;
     const VertexId a = ring_.vertex[corner[0]], b = ring_.vertex[corner[2]];
-    if (joins_on_box(a, b) || joined(a, b)) return false;
+    if (s_.joins_on_box(a, b, box_) || joined(a, b)) return false;
   }
-  // A tetrahedron: the one new facet is there already.
-  return !(ring_.is_closed && hole_.size() == 1 && ring_.outer[0] == ring_.outer[1]);
+  if (hole_.size() > 1) return true;
+  const auto& [i, j, k] = hole_.facet(0).corner;
+  const Triangle facet{ring_.vertex[i], ring_.vertex[j], ring_.vertex[k]};
+  // Of a tetrahedron the one new facet is there already.
+  return !s_.lies_on_box(facet, box_) && !(ring_.is_closed && ring_.outer[0] == ring_.outer[1]);
 }
 
 void Coarsener::replace_star(VertexId v) {
@@ -125,11 +130,6 @@ void Coarsener::replace_star(VertexId v) {
 
 bool Coarsener::joined(VertexId a, VertexId b) const {
   return any_facet_at(mesh_, facet_[a], a, [&](const Face& face) { return has_corner(face.v, b); });
-}
-
-bool Coarsener::joins_on_box(VertexId a, VertexId b) const {
-  return chain_.is_boundary(a) && chain_.is_boundary(b) &&
-         on_one_face(mesh_.points[a], mesh_.points[b], box_);
 }
 
 void Coarsener::move_vertices() {
@@ -159,7 +159,7 @@ bool Coarsener::move(VertexId v) {
   if (length2(step) < kLeastMove * kLeastMove * nearest2) return false;
   const auto foot = finder_.foot(ring_.center + step, ring_.normal,
                                  0.5 * std::sqrt(nearest2) + 2 * test_.bound, searches_);
-  if (!foot || !scope_.free_box.holds(*foot)) return false;
+  if (!foot || !scope_.free_box.holds(*foot) || !within_.contains(*foot)) return false;
   for (int k = 0; k < ring_.size; ++k) {
     if (!test_.holds(*foot, ring_.point[k], ring_.point[ring_.after(k)], ring_.normal, worst2)) {
       return false;
@@ -193,7 +193,7 @@ void Coarsener::flip(FaceId f, int i) {
   const Quad q = quad_at(mesh_, f, i);
   const auto& p = mesh_.points;
   if (!test_.asks_flip(p[q.a], p[q.b], p[q.c], p[q.d]) || kept_[q.a] + kept_[q.d] == 2 ||
-      joins_on_box(q.a, q.d) || joined(q.a, q.d)) {
+      s_.joins_on_box(q.a, q.d, box_) || joined(q.a, q.d)) {
     return;
   }
   deliso::flip(mesh_, facet_, q);

@@ -54,14 +54,13 @@ class Coarsener {
   bool walk(VertexId v);
   // True if an edge joins a and b.
   bool joined(VertexId a, VertexId b) const;
-  // True if an edge between a and b would lie in a face of the box, within the mesh.
-  bool joins_on_box(VertexId a, VertexId b) const;
   bool is_frozen(FaceId f) const { return f < scope_.free_box.first_free; }
 
+  SurfaceMesh& s_;
   TriMesh& mesh_;
   BoundaryChain& chain_;
   const BoundaryCurves& curves_;
-  const Box3 box_;
+  const Box3 box_, within_;  // of the volume
   const FacetTest test_;
   const CoarsenScope& scope_;
   std::span<const std::uint8_t> kept_;

@@ -36,7 +36,12 @@ constexpr int kThinSamples = 2;
 class PieceMesher final : public ContourSink {
  public:
   PieceMesher(ContourMesh& mesh, const Volume& volume, double kappa)
-      : mesh_(mesh), volume_(volume), kappa_(kappa), dims_(volume.dims()), first_(volume.first()) {}
+      : mesh_(mesh),
+        volume_(volume),
+        within_(volume.within()),
+        kappa_(kappa),
+        dims_(volume.dims()),
+        first_(volume.first()) {}
 
   // Returns the position of a sample, in voxels.
   Vec3 place(Index3 sample) const { return to_vec3(first_ + sample); }
@@ -82,10 +87,15 @@ class PieceMesher final : public ContourSink {
     }
   }
 
-  // Adds a vertex at p, in voxels. Its component is that of the first piece given with it.
+  // Adds a vertex at p, in voxels, in these faces of the box and off the others. Its component is
+  // that of the first piece given with it.
   ContourId add_at(const Vec3& p, std::uint8_t box_faces, std::uint32_t label = kNoId) {
     if (mesh_.points.size() >= kNoId) throw InputError("the contour has 2^32 vertices or more");
-    mesh_.points.push_back(volume_.at_samples(p));
+    Vec3& at = mesh_.points.emplace_back(volume_.at_samples(p));
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((box_faces >> (2 * axis) & 3) != 0) continue;
+      at[axis] = std::clamp(at[axis], within_.lo[axis], within_.hi[axis]);
+    }
     mesh_.box_faces.push_back(box_faces);
     mesh_.component.push_back(label);
     return ContourId(mesh_.points.size() - 1);
@@ -229,6 +239,7 @@ class PieceMesher final : public ContourSink {
 
   ContourMesh& mesh_;
   const Volume& volume_;
+  const Box3 within_;  // of the volume
   double kappa_;
   Index3 dims_, first_;
   std::size_t first_triangle_ = 0;

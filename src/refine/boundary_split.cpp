@@ -2,6 +2,7 @@
 // Boundary edges of the mesh and their arcs (paper §5).
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "refine/operations.h"
 
@@ -55,8 +56,15 @@ std::optional<Refusal> split_boundary_edge(Refinement& r, EdgeRef edge) {
                                      {chain.place(ends->second), r.point(ends->second)});
   if (!middle) return r.done(Operation::boundary_split, Refusal::boundary);
   const BoundarySplit split{edge, ends->first, middle->place};
-  return r.done(Operation::boundary_split,
-                replace_by_cone(r, r.encroached(edge.face, middle->point), middle->point, &split));
+  const std::span<const FaceId> encroached = r.encroached(edge.face, middle->point);
+  std::vector<FaceId> cavity(encroached.begin(), encroached.end());
+  // An edge of the cone to another vertex in the face of the box would lie there (S3).
+  std::erase_if(cavity, [&, box = r.surface.volume().box()](FaceId f) {
+    return std::ranges::any_of(r.mesh.faces[f].v, [&](VertexId v) {
+      return v != ends->first && v != ends->second && on_one_face(r.point(v), middle->point, box);
+    });
+  });
+  return r.done(Operation::boundary_split, replace_by_cone(r, cavity, middle->point, &split));
 }
 
 bool leaves_curve(const Refinement& r, VertexId a, VertexId b) {

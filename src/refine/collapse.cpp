@@ -27,12 +27,6 @@ bool may_remove(const Refinement& r, VertexId v) {
                                      {chain.place(next), r.point(next)});
 }
 
-bool joins_on_box(const Refinement& r, VertexId v, VertexId w) {
-  const BoundaryChain& chain = r.s.chain;
-  if (!chain.is_boundary(v) || !chain.is_boundary(w) || chain.is_edge(v, w)) return false;
-  return on_one_face(r.point(v), r.point(w), r.surface.volume().box());
-}
-
 std::optional<Refusal> merge_corner(Refinement& r, FaceId f, VertexId from, VertexId to,
                                     const Gates& gates, const Refinement::Accept& accept) {
   const bool on_boundary = r.s.chain.is_boundary(from);
@@ -41,9 +35,6 @@ std::optional<Refusal> merge_corner(Refinement& r, FaceId f, VertexId from, Vert
   }
   const Cavity* star = r.open(r.star(f, from));
   if (!star) return Refusal::not_a_disk;
-  for (const VertexId q : star->disk.vertices()) {
-    if (!on_boundary && q != from && q != to && joins_on_box(r, to, q)) return Refusal::boundary;
-  }
   Proposal merge = star->merge(from, to, gates);
   return merge.facets.empty() ? Refusal::not_a_disk : r.make(std::move(merge), accept);
 }

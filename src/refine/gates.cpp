@@ -71,19 +71,12 @@ bool Refinement::keeps_manifold(Replacement& c) {
       const std::uint32_t g = in.across[f][i];
       if (g == Disk::kNone || g < f) continue;
       const VertexId a = in.facets[f][(i + 1) % 3], b = in.facets[f][(i + 2) % 3];
-      if (joins_on_seam(a, b) || is_joined_outside(a, b, c) || is_joined_on_curves(a, b)) {
+      if (s.joins_on_box(a, b, box_) || is_joined_outside(a, b, c) || is_joined_on_curves(a, b)) {
         return false;
       }
     }
   }
-  return true;
-}
-
-bool Refinement::joins_on_seam(VertexId a, VertexId b) const {
-  if (!parameters.leaves_seams || !s.chain.is_boundary(a) || !s.chain.is_boundary(b)) return false;
-  const Volume& block = surface.volume();
-  return (box_faces_at(point(a), block.box()) & box_faces_at(point(b), block.box()) &
-          block.inner_faces()) != 0;
+  return in.facets.size() > 1 || !s.lies_on_box(in.facets[0], box_);
 }
 
 bool Refinement::is_joined_outside(VertexId a, VertexId b, const Replacement& c) {
@@ -182,12 +175,11 @@ bool Refinement::reverses(Replacement& c) {
   const std::size_t outside =
       component_size_[component_[c.cavity.facets[0]]] - c.cavity.facets.size();
   if (outside > kMaxSmallComponent) return false;
-  const Box3 box = surface.volume().box();
   unsigned met = 0;  // the faces of the box in which the component ends
   rest_.clear();
   const auto visit = [&](FaceId g, VertexId a, VertexId b) {
     if (g == kNoId) {
-      met |= box_faces_at(point(a), box) & box_faces_at(point(b), box);
+      met |= box_faces_at(point(a), box_) & box_faces_at(point(b), box_);
     } else if (!is_in_cavity(g) && std::ranges::find(rest_, g) == rest_.end()) {
       rest_.push_back(g);
     }
@@ -202,7 +194,7 @@ bool Refinement::reverses(Replacement& c) {
     const Face& face = mesh.faces[f];
     for (int i = 0; i < 3; ++i) visit(face.n[i], face.v[(i + 1) % 3], face.v[(i + 2) % 3]);
   }
-  const std::optional<Vec3> origin = moved_into_faces(point(c.in().facets[0][0]), met, box);
+  const std::optional<Vec3> origin = moved_into_faces(point(c.in().facets[0][0]), met, box_);
   if (!origin) return false;
   const auto volume = [&](const Triangle& v, auto&& at) {
     return sixfold_volume(*origin, at(v[0]), at(v[1]), at(v[2]));
@@ -213,7 +205,6 @@ bool Refinement::reverses(Replacement& c) {
   for (const FaceId f : rest_) rest += volume(mesh.faces[f].v, now);
   for (const Triangle& v : c.cavity.disk.facets) before += volume(v, was);
   for (const Triangle& v : c.in().facets) after += volume(v, now);
-  if (!c.proposal.gates.orients_flat && rest + before == 0) return false;
   return (rest + before > 0) != (rest + after > 0);
 }
 
@@ -266,7 +257,7 @@ bool Refinement::uncovers(const Replacement& c) const {
 // G5: true if a new facet is too thin, and none was as thin before. Where vertices near one point
 // are moved apart one by one, facets are needles in between.
 bool Refinement::is_needle(const Replacement& c) const {
-  if (c.moves() || !c.proposal.gates.areas) return false;
+  if (c.moves()) return false;
   double after = 1, before = 1;
   for (const auto& [a, b, d] : c.in().facets) {
     after = std::min(after, height_ratio2(point(a), point(b), point(d)));

@@ -56,12 +56,8 @@ std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f);
 // True if the chain does not need v, or v is not on the boundary.
 bool may_remove(const Refinement& r, VertexId v);
 
-// True if the edge vw would lie in a face of the box and is not a chain edge.
-bool joins_on_box(const Refinement& r, VertexId v, VertexId w);
-
 // Merges `from`, a corner of f, into its neighbor `to`, and counts nothing. Refused if the chain
-// needs `from`, if `from` is on the boundary and `to` is not next to it there, or if an edge from
-// `to` would lie in a face of the box.
+// needs `from`, or if `from` is on the boundary and `to` is not next to it there.
 std::optional<Refusal> merge_corner(Refinement& r, FaceId f, VertexId from, VertexId to,
                                     const Gates& gates,
                                     const Refinement::Accept& accept = Refinement::always);

@@ -39,18 +39,13 @@ inline constexpr double kAnyFold = -1;
 // By default all.
 struct Gates {
   double least_cosine = kSharpestFold;  // G2: between the normals at an edge
-  // G2: of a small component in a face of the box, which bounds no volume yet. False: it may get
-  // either orientation.
-  bool orients_flat = true;
-  bool surface_points = true;  // G3
-  bool coverage = true;        // G4: a removed vertex is near the new facets
-  bool areas = true;           // G5: no new facet is a needle, unless one was
+  bool surface_points = true;           // G3
+  bool coverage = true;                 // G4: a removed vertex is near the new facets
 };
 inline constexpr Gates kInsertionGates{.least_cosine = kAnyFold};
-// Where a mesh touches itself, or the box: topology and crossings count, not the distance from
-// Sigma.
-constexpr Gates topology_gates(double least_cosine, bool areas = true) {
-  return {least_cosine, false, false, false, areas};
+// Where a mesh touches itself: topology and crossings count, not the distance from Sigma.
+constexpr Gates topology_gates(double least_cosine) {
+  return {least_cosine, false, false};
 }
 inline constexpr Gates kTopologyGates = topology_gates(kAnyFold);
 

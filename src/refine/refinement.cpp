@@ -50,6 +50,8 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Given& given, const Free
       free_box(where),
       inserted(surface_mesh.mesh.points.size()),
       finder(surface),
+      box_(surface.volume().box()),
+      within_(surface.volume().within()),
       facets_(box_of(mesh, surface), grid_cell(parameters, mesh)),
       vertices_(facets_) {
   facets_.expect(mesh.faces.size());
@@ -136,8 +138,11 @@ std::optional<Refusal> Refinement::make(Proposal proposal, const Accept& accept)
 }
 
 bool Refinement::leaves_free_box(const Replacement& c) const {
-  return std::ranges::any_of(c.cavity.facets, [&](FaceId f) { return is_frozen(f); }) ||
-         (c.proposal.what != Proposal::Vertex::none && !free_box.holds(c.proposal.place));
+  if (std::ranges::any_of(c.cavity.facets, [&](FaceId f) { return is_frozen(f); })) return true;
+  if (c.proposal.what == Proposal::Vertex::none) return false;
+  const bool is_on_chain =
+      c.proposal.split || (c.moves() && s.chain.is_boundary(c.proposal.vertex));
+  return !free_box.holds(c.proposal.place) || (!is_on_chain && !within_.contains(c.proposal.place));
 }
 
 void Refinement::put_in_place(const Replacement& c) {

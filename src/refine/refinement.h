@@ -7,14 +7,15 @@
 // The mesh of Stage 1 is a manifold, homeomorphic to Sigma, embedded, with its vertices on Sigma.
 // Every replacement keeps that, because it passes these tests, the gates, from cheap to expensive:
 // Refinement::make() asks them. A proposal may do without some (Gates in refine/proposal.h), but
-// never without G0, G1 and the crossings of G5. Only moves of refine/separate.h and lifts off the
-// box take vertices off Sigma.
+// never without G0, G1 and the crossings of G5. Only moves of refine/separate.h take vertices off
+// Sigma.
 //   G0  No frozen facet is removed, and a vertex comes or moves only to places in the free box.
-//       That is a block without its inner faces (FreeBox::within). Where a part of a mesh is
-//       refined (blocks/seams.h), it is the part's box, and facets outside are frozen.
+//       and not in a face of the box but along the chain. That is a block without its inner faces
+//       (FreeBox::within). Where a part of a mesh is refined (blocks/seams.h), it is the part's
+//       box, and facets outside are frozen.
 //   G1  Both are disks, and no new facet or edge is in the mesh already (the link condition), or
-//       would lie in a face between blocks. So the mesh stays a manifold. Its topology stays if the
-//       boundaries of the two disks differ in at most one run of the mesh's boundary edges; the
+//       would lie in a face of the box (S3). So the mesh stays a manifold. Its topology stays if
+//       the boundaries of the two disks differ in at most one run of the mesh's boundary edges; the
 //       operation must ensure that (docs/proof.md).
 //   G2  No small component is reversed. No edge is folded more sharply than the proposal's limit,
 //       or than one was before; insertions and boundary splits have no limit.
@@ -172,8 +173,6 @@ class Refinement {
   std::span<const FrozenSide> frozen_at(VertexId a, VertexId b) const;
   bool is_joined_on_curves(VertexId a, VertexId b) const;
   bool passes_sheet(const Replacement& c) const;
-  // True if an edge between them would lie in an inner face of the block: only the seam does.
-  bool joins_on_seam(VertexId a, VertexId b) const;
   double sharpest_edge(const Disk& disk, std::span<const Vec3> normals,
                        std::span<const FaceId> across) const;
   bool folds(const Replacement& c) const;
@@ -192,6 +191,7 @@ class Refinement {
 
   bool is_in_cavity(FaceId f) const { return marks_[f] == tried_.cavity.number_; }
 
+  const Box3 box_, within_;  // of the volume
   BoxGrid facets_, vertices_;
   IdArray<FaceId, std::uint32_t> component_;   // per facet, the component that has it
   std::vector<std::uint32_t> component_size_;  // facets of each

@@ -96,7 +96,6 @@ class Separation {
   bool collapse(FaceId f, int i, const Gates& gates);
   bool merge_across(FaceId f, int i);
   bool collapse_if_short(FaceId f, int i);
-  bool joins_star_on_box(FaceId f, VertexId from, VertexId to);
 
   bool push_apart();
   void find_pushes(VertexId v, FaceId f);
@@ -141,7 +140,7 @@ bool Separation::unfold(FaceId f, int i, const Vec3& normal) {
 
 bool Separation::flip_fold(FaceId f, int i, double fold) {
   const Quad q = quad_at(r_.mesh, f, i);
-  const Cavity* cavity = joins_on_box(r_, q.a, q.d) ? nullptr : r_.open(std::array{q.f, q.g});
+  const Cavity* cavity = r_.open(std::array{q.f, q.g});
   if (!cavity) return false;
   // Else they are nearly the same facets: their surface points do not matter.
   const Gates gates = fold > kFlatFold ? Gates{} : topology_gates(kSharpestFold);
@@ -184,7 +183,7 @@ bool Separation::flip_needle(FaceId f) {
   if (face.n[i] == kNoId) return false;
   const Quad q = quad_at(r_.mesh, f, i);
   const auto [s, t] = q.flipped();
-  if (joins_on_box(r_, q.a, q.d) || !(std::min(height2(s), height2(t)) > before)) return false;
+  if (!(std::min(height2(s), height2(t)) > before)) return false;
   const Cavity* cavity = r_.open(std::array{q.f, q.g});
   return cavity && accept(Operation::flip, r_.make(cavity->fill(q.flipped(), kTopologyGates)));
 }
@@ -201,9 +200,6 @@ bool Separation::merge_across(FaceId f, int i) {
     if (h == f) continue;
     Triangle v = r_.mesh.faces[h].v;
     if (has_corner(v, q.d)) return false;
-    for (const VertexId w : v) {
-      if (w != q.a && w != q.b && w != q.c && joins_on_box(r_, q.d, w)) return false;
-    }
     std::ranges::replace(v, q.a, q.d);
     facets.push_back(v);
   }
@@ -223,24 +219,9 @@ bool Separation::collapse(FaceId f, int i, const Gates& gates) {
   const Triangle v = r_.mesh.faces[f].v;
   const VertexId a = v[(i + 1) % 3], b = v[(i + 2) % 3];
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
-    if (accept(Operation::collapse, joins_star_on_box(f, from, to)
-                                        ? Refusal::boundary
-                                        : merge_corner(r_, f, from, to, gates))) {
-      return true;
-    }
+    if (accept(Operation::collapse, merge_corner(r_, f, from, to, gates))) return true;
   }
   return false;
-}
-
-// True if a merge of `from`, a boundary vertex of f, would join `to` to a vertex that is no
-// neighbor on the boundary, by an edge in a face of the box.
-bool Separation::joins_star_on_box(FaceId f, VertexId from, VertexId to) {
-  const BoundaryChain& chain = r_.s.chain;
-  return chain.is_boundary(from) && std::ranges::any_of(r_.star(f, from), [&](FaceId g) {
-           return std::ranges::any_of(r_.mesh.faces[g].v, [&](VertexId q) {
-             return q != from && q != to && !chain.is_edge(from, q) && joins_on_box(r_, to, q);
-           });
-         });
 }
 
 // Returns true if a vertex was moved.
@@ -352,7 +333,6 @@ bool Separation::move(const Push& push) {
   to = foot ? *foot : within(to, *home, gap_);
   if (distance(to, from) < kLeastMoveGaps * gap_) return false;
   for (int axis = 0; axis < 3; ++axis) {
-    if (!is_boundary && !(box.lo[axis] < to[axis] && to[axis] < box.hi[axis])) return false;
     to[axis] = std::clamp(to[axis], box.lo[axis], box.hi[axis]);
   }
   const Question question(r_, v, Reason::too_near);

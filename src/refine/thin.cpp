@@ -63,14 +63,8 @@ std::optional<Refusal> Thinning::remove(VertexId v) {
   if (!cavity) return Refusal::not_a_disk;
   std::vector<Triangle> facets;
   for (int n = 0; n < hole_.size(); ++n) {
-    const auto& [corner, across] = hole_.facet(n);
-    const Triangle& facet = facets.emplace_back(
-        Triangle{ring_.vertex[corner[0]], ring_.vertex[corner[1]], ring_.vertex[corner[2]]});
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (across[i] >= 0 && joins_on_box(r_, facet[(i + 1) % 3], facet[(i + 2) % 3])) {
-        return Refusal::boundary;
-      }
-    }
+    const auto& [i, j, k] = hole_.facet(n).corner;
+    facets.push_back({ring_.vertex[i], ring_.vertex[j], ring_.vertex[k]});
   }
   return r_.make(cavity->fill(facets, Gates{}), [&](const Replacement& c) {
     if (c.duals.empty()) return true;

@@ -28,10 +28,7 @@ enum class Counter : std::uint8_t {
   unrefined_facets,  // facets left that violate a criterion
   points_far,        // vertices of T left further from the mesh than asked for
   // --cap
-  cap_edges_lifted,       // edges and triangles within a face of the box, given a vertex off it
-  cap_lifts_off_surface,  // those of them that found no point of Sigma
-  cap_not_lifted,         // vertices, edges and triangles that had to stay in a face of the box
-  cap_refused,            // cap triangles kept as they are, for the boundary edges next to them
+  cap_refused,  // cap triangles kept as they are, for the boundary edges next to them
   count_
 };
 inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::count_);
@@ -43,9 +40,6 @@ inline constexpr std::array<EnumRow<Counter, std::string_view>, kCounterCount> k
     {Counter::coarsened_again, "coarsened_again"},
     {Counter::unrefined_facets, "unrefined_facets"},
     {Counter::points_far, "points_far"},
-    {Counter::cap_edges_lifted, "cap_edges_lifted"},
-    {Counter::cap_lifts_off_surface, "cap_lifts_off_surface"},
-    {Counter::cap_not_lifted, "cap_not_lifted"},
     {Counter::cap_refused, "cap_refused"},
 }};
 static_assert(is_in_order(kCounterTable));

@@ -4,11 +4,14 @@
 //
 // Invariants of live facets, beside those of mesh/tri_mesh.h.
 //   S1  facet f has dual f, and its surface ball passes through its corners;
-//   S2  the chain's edges are the mesh's boundary edges.
+//   S2  the chain's edges are the mesh's boundary edges;
+//   S3  in a face of the box are vertices and edges of the chain alone, and no facet. So caps there
+//       meet the mesh along its boundary, and two blocks share their seam and nothing else.
 #pragma once
 
 #include <vector>
 
+#include "base/box3.h"
 #include "base/triangle.h"
 #include "mesh/tri_mesh.h"
 #include "run/criteria.h"
@@ -35,6 +38,15 @@ struct SurfaceMesh {
 
   // Returns the measures of a facet; without a surface point h is r.
   FacetShape shape(const Triangle& v, const Dual& dual) const;
+  // S3, of an edge within the mesh, and of a facet: true if it would lie in a face of the box.
+  bool joins_on_box(VertexId a, VertexId b, const Box3& box) const {
+    return (chain.is_boundary(a) || chain.is_boundary(b)) &&
+           on_one_face(mesh.points[a], mesh.points[b], box);
+  }
+  bool lies_on_box(const Triangle& v, const Box3& box) const {
+    const auto faces = [&](VertexId u) { return box_faces_at(mesh.points[u], box); };
+    return (faces(v[0]) & faces(v[1]) & faces(v[2])) != 0;
+  }
   // Keeps no room for more.
   void shrink_to_fit();
 };

@@ -151,6 +151,17 @@ Box3 Grid::box() const {
   return {position({0, 0, 0}), position(voxels())};
 }
 
+Box3 Grid::within() const {
+  constexpr double kRounding = 0x1p-46, kMostVoxels = 1e-3;
+  const Vec3 far = whole().box().hi, &origin = frame_.origin;
+  double largest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    largest = std::max({largest, far[axis], std::fabs(origin[axis])});
+  }
+  const Vec3& s = least_spacing_;
+  return box().grown(-std::min(kRounding * largest, kMostVoxels * std::min({s.x, s.y, s.z})));
+}
+
 Index3 Grid::voxel_at(const Vec3& p) const {
   Index3 voxel;
   for (int axis = 0; axis < 3; ++axis) {

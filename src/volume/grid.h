@@ -159,6 +159,9 @@ class Grid {
 
   // Returns the box of all samples: [0, (n-1)*s] along each axis if this is no block and even.
   Box3 box() const;
+  // Returns the box of the places that are not on its faces, and by rounding do not come there on
+  // their way to the world and back.
+  Box3 within() const;
   Vec3 position(Index3 sample) const {
     return places_ ? at_samples(to_vec3(first_ + sample))
                    : times(to_vec3(first_ + sample), spacing_);

@@ -107,7 +107,6 @@ std::string fault_of(const Volume& volume, const TriMesh& mesh, const Options& o
       is_close |= is_apart;
       continue;
     }
-    if (kind == vertices_off_surface && report[Counter::cap_lifts_off_surface] > 0) continue;
     return text(name_of(kind), ": ", found.faults.count(kind));
   }
   return {};

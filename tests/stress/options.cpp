@@ -137,8 +137,6 @@ void judge_run(const MeshRun& run, Outcome& outcome) {
   outcome.voxel = field.voxel();
   outcome.field = field;
   outcome.kappa = run.report.kappa_effective;
-  outcome.says_off_surface =
-      outcome.capped && report_text(run).find("off the surface") != std::string::npos;
   outcome.verification = verify_as_file(outcome.mesh, run);
   const auto chosen = chosen_components(summarize_contour(field, run.report.kappa_effective),
                                         line.options.components);
@@ -224,7 +222,7 @@ Findings judge_alone(const Outcome& run, unsigned exempt) {
   const bool is_apart =
       !found[close].empty() || run.verification.max_off_surface <= kMovedVoxels * run.voxel;
   std::string& off_surface = found[is_apart ? close : check];
-  if (!run.says_off_surface && off_surface.empty()) {
+  if (off_surface.empty()) {
     off_surface = first_of(faults, {vertices_off_surface});
   }
   return found;
