@@ -316,7 +316,7 @@ TEST_CASE("a part whose counters contradict its options is refused") {
     ++refused;
     CHECK(std::string(deliso_last_error()).find("is no sound part: ") != std::string::npos);
   }
-  CHECK(refused == 4);  // three of caps, and the components left out
+  CHECK(refused == 2);  // cap triangles refused, and components left out
 }
 
 TEST_CASE("an empty mesh of parts is refused unless it is allowed") {

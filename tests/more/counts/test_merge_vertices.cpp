@@ -110,7 +110,7 @@ TEST_CASE("a coarsened mesh is embedded, of the same topology, and has the verti
 // reversed. So it is asked by itself.
 TEST_CASE("a merge reverses what changes the sign of its volume, or of its area on the box") {
   std::array<std::size_t, 2> reversed{}, kept{};  // components, loops
-  for (std::uint64_t seed = 171; seed < 171 + test::cases(100u); ++seed) {
+  for (std::uint64_t seed = 201; seed < 201 + test::cases(100u); ++seed) {
     CAPTURE(seed);
     const stress::TinyVolume tiny = stress::make_tiny_volume(seed);
     const Scene scene(tiny.volume, geometric_isovalue(tiny.volume.type(), tiny.isovalue));
