@@ -107,7 +107,7 @@ bool Coarsener::may_leave_boundary(VertexId v) const {
   return !curves_.runs_beside_fixed(a, b) && !curves_.strays(a, b, sagitta);
 }
 
-// True if no new edge is in the mesh already, or would lie in a face of the box.
+// True if no new edge or facet is in the mesh already, or would lie in a face of the box.
 bool Coarsener::keeps_link() const {
   for (int n = 1; n < hole_.size(); ++n) {  // each facet after the first brings one edge
     const auto& corner = hole_.facet(n).corner;

@@ -9,7 +9,7 @@
 using namespace deliso;
 
 TEST_CASE("no fold, no needle, and no vertex next to a triangle of another sheet is left") {
-  // Without separate.h seven of these volumes have some.
+  // Without separate.h six of these volumes have some.
   for (std::uint64_t seed = 1; seed <= 55; ++seed) {
     CAPTURE(seed);
     const stress::TinyVolume tiny = stress::make_tiny_volume(seed, 6, 8);
