@@ -29,11 +29,11 @@ namespace deliso {
 // What a look at the mesh tells.
 struct Examination {
   std::size_t vertices = 0, triangles = 0;
-  TopologyCounts topology;     // of the surface
-  std::string fault;           // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
-  MeshQuality quality;         // of the surface
-  ClosePlaces close;           // of the surface
-  SolidSummary solid;          // with --cap; of labels the volume alone
+  TopologyCounts topology;  // of the surface
+  std::string fault;        // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
+  MeshQuality quality;      // of the surface
+  ClosePlaces close;        // of the surface
+  SolidSummary solid;       // with --cap; of labels the volume alone
 };
 
 // Faults of the mesh as it is in the file, and as it would be in double precision, near the origin.

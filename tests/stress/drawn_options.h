@@ -31,7 +31,7 @@ struct Outcome {
   std::size_t vertices = 0, triangles = 0;  // of the surface, without caps
   std::size_t chosen_components = 0;        // of the exact contour
   bool capped = false;
-  MeshQuality quality;            // of the surface
+  MeshQuality quality;  // of the surface
   Verification verification;
   std::optional<Volume> field;  // that was meshed at `kappa`
   double kappa = 0;

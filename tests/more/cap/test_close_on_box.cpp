@@ -77,8 +77,8 @@ TEST_CASE("the surface touches the box along its boundary alone, also when it we
     const bool is_tied = seed % 4 == 0;  // many samples are equal to the isovalue
     const double kappa = is_tied ? 1 : 60.3 + 40 * static_cast<double>(seed % 3);
     if (!(value_range(bytes).min < kappa && kappa <= value_range(bytes).max)) continue;
-    const Volume volume = sampled<float>(bytes.dims(), bytes.spacing(), [&](int i, int j, int k) {
-                            return static_cast<float>(bytes.sample(i, j, k));
+    const Volume volume = sampled<double>(bytes.dims(), bytes.spacing(), [&](int i, int j, int k) {
+                            return bytes.sample(i, j, k);
                           }).with_frame({.origin = {is_tied ? 3e6 : 0, 0, 0}});
     Options options;
     options.r_min = {0.1, Length::Unit::voxel};
@@ -91,6 +91,24 @@ TEST_CASE("the surface touches the box along its boundary alone, also when it we
     facets += mesh.faces.size();
   }
   CHECK(facets > test::cases(1000u));
+}
+
+TEST_CASE("far from the origin of the world a vertex next to a face of the box stays off it") {
+  for (int axis = 0; axis < 3; ++axis) {
+    // On a face of the box one sample is equal to the isovalue, and all others are below it.
+    const Volume volume =
+        sampled<double>({5, 5, 5}, {1, 1, 1}, [&](int i, int j, int k) {
+          return Index3{i, j, k} == Index3{axis == 0 ? 4 : 2, axis == 1 ? 0 : 2, axis == 2 ? 4 : 2}
+                     ? 0
+                     : -1;
+        }).with_frame({.origin = {3e6, 3e6, 3e6}});
+    Options options;
+    options.stop_after_stage1 = true;
+    Report report;
+    const TriMesh mesh = mesh_isosurface(volume, 0, options, report);
+    CHECK(mesh.faces.size() == 4);
+    check_box(mesh, volume);
+  }
 }
 
 TEST_CASE("samples of all magnitudes become closed solids that do not cross themselves") {
