@@ -92,7 +92,7 @@ class PieceMesher final : public ContourSink {
   ContourId add_at(const Vec3& p, std::uint8_t box_faces, std::uint32_t label = kNoId) {
     if (mesh_.points.size() >= kNoId) throw InputError("the contour has 2^32 vertices or more");
     Vec3& at = mesh_.points.emplace_back(volume_.at_samples(p));
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < 3 && !within_.contains(at); ++axis) {
       if ((box_faces >> (2 * axis) & 3) != 0) continue;
       at[axis] = std::clamp(at[axis], within_.lo[axis], within_.hi[axis]);
     }
