@@ -97,14 +97,14 @@ bool Coarsener::remove(VertexId v) {
   return true;
 }
 
+// The chain may go straight on, and stays near its curve.
 bool Coarsener::may_leave_boundary(VertexId v) const {
+  if (!s_.may_remove(v, curves_)) return false;
   const VertexId before = chain_.previous(v), next = chain_.next(v);
-  // Vertices of fixed arcs are kept. In a loop of three the neighbors are joined.
-  if (curves_.is_kept(chain_.place(v)) || joined(before, next)) return false;
   const CurvePoint a{chain_.place(before), mesh_.points[before]};
   const CurvePoint b{chain_.place(next), mesh_.points[next]};
   const double sagitta = std::min(test_.bound, kChainSagitta * distance(a.point, b.point));
-  return !curves_.runs_beside_fixed(a, b) && !curves_.strays(a, b, sagitta);
+  return !curves_.strays(a, b, sagitta);
 }
 
 // True if no new edge or facet is in the mesh already, or would lie in a face of the box.

@@ -18,19 +18,10 @@ double worst_ratio2(const Refinement& r, std::span<const Triangle> facets) {
 
 }  // namespace
 
-bool may_remove(const Refinement& r, VertexId v) {
-  const BoundaryChain& chain = r.s.chain;
-  if (!chain.is_boundary(v)) return true;
-  const VertexId next = chain.next(v), before = chain.previous(v);
-  return !r.curves.is_kept(chain.place(v)) && chain.next(chain.next(next)) != v &&  // loop of three
-         !r.curves.runs_beside_fixed({chain.place(before), r.point(before)},
-                                     {chain.place(next), r.point(next)});
-}
-
 std::optional<Refusal> merge_corner(Refinement& r, FaceId f, VertexId from, VertexId to,
                                     const Gates& gates, const Refinement::Accept& accept) {
   const bool on_boundary = r.s.chain.is_boundary(from);
-  if (!may_remove(r, from) || (on_boundary && !r.s.chain.is_edge(from, to))) {
+  if (!r.s.may_remove(from, r.curves) || (on_boundary && !r.s.chain.is_edge(from, to))) {
     return Refusal::boundary;
   }
   const Cavity* star = r.open(r.star(f, from));

@@ -53,9 +53,6 @@ std::optional<Refusal> flip_if_not_delaunay(Refinement& r, FaceId f, int i);
 // removed, so collapses end.
 std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f);
 
-// True if the chain does not need v, or v is not on the boundary.
-bool may_remove(const Refinement& r, VertexId v);
-
 // Merges `from`, a corner of f, into its neighbor `to`, and counts nothing. Refused if the chain
 // needs `from`, or if `from` is on the boundary and `to` is not next to it there.
 std::optional<Refusal> merge_corner(Refinement& r, FaceId f, VertexId from, VertexId to,

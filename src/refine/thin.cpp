@@ -49,7 +49,7 @@ std::optional<Refusal> Thinning::remove_next() {
 std::optional<Refusal> Thinning::remove(VertexId v) {
   const BoundaryChain& chain = r_.s.chain;
   if (chain.is_boundary(v) &&
-      (!may_remove(r_, v) || leaves_curve(r_, chain.previous(v), chain.next(v)))) {
+      (!r_.s.may_remove(v, r_.curves) || leaves_curve(r_, chain.previous(v), chain.next(v)))) {
     return Refusal::boundary;
   }
   if (!ring_.walk(r_.mesh, facet_[v], v, chain.is_boundary(v)) || ring_.size < 3) {

@@ -26,6 +26,14 @@ FacetShape SurfaceMesh::shape(const Triangle& v, const Dual& dual) const {
   return shape;
 }
 
+bool SurfaceMesh::may_remove(VertexId v, const BoundaryCurves& curves) const {
+  if (!chain.is_boundary(v)) return true;
+  const VertexId before = chain.previous(v), next = chain.next(v);
+  return !curves.is_kept(chain.place(v)) && chain.next(next) != before &&
+         !curves.runs_beside_fixed({chain.place(before), mesh.points[before]},
+                                   {chain.place(next), mesh.points[next]});
+}
+
 void SurfaceMesh::shrink_to_fit() {
   mesh.points.shrink_to_fit();
   mesh.faces.shrink_to_fit();

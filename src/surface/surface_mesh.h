@@ -47,6 +47,9 @@ struct SurfaceMesh {
     const auto faces = [&](VertexId u) { return box_faces_at(mesh.points[u], box); };
     return (faces(v[0]) & faces(v[1]) & faces(v[2])) != 0;
   }
+  // True if v is not on the chain, or may go: it is no point that every chain must have, nor of a
+  // loop of three, and no chord comes along a seam.
+  bool may_remove(VertexId v, const BoundaryCurves& curves) const;
   // Keeps no room for more.
   void shrink_to_fit();
 };
