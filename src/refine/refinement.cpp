@@ -138,11 +138,20 @@ std::optional<Refusal> Refinement::make(Proposal proposal, const Accept& accept)
 }
 
 bool Refinement::leaves_free_box(const Replacement& c) const {
+  const Proposal& p = c.proposal;
   if (std::ranges::any_of(c.cavity.facets, [&](FaceId f) { return is_frozen(f); })) return true;
-  if (c.proposal.what == Proposal::Vertex::none) return false;
-  const bool is_on_chain =
-      c.proposal.split || (c.moves() && s.chain.is_boundary(c.proposal.vertex));
-  return !free_box.holds(c.proposal.place) || (!is_on_chain && !within_.contains(c.proposal.place));
+  if (p.what == Proposal::Vertex::none) return false;
+  // On the chain the vertex stays in its faces of the box; it is off all others (S3).
+  const auto faces_at = [&](VertexId v) { return box_faces_at(point(v), box_); };
+  const unsigned faces = p.split
+                             ? faces_at(p.split->before) & faces_at(s.chain.next(p.split->before))
+                         : c.moves() ? faces_at(p.vertex)
+                                     : 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if ((faces >> (2 * axis) & 3) != 0) continue;
+    if (!(within_.lo[axis] <= p.place[axis] && p.place[axis] <= within_.hi[axis])) return true;
+  }
+  return !free_box.holds(p.place);
 }
 
 void Refinement::put_in_place(const Replacement& c) {

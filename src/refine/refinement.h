@@ -9,10 +9,10 @@
 // Refinement::make() asks them. A proposal may do without some (Gates in refine/proposal.h), but
 // never without G0, G1 and the crossings of G5. Only moves of refine/separate.h take vertices off
 // Sigma.
-//   G0  No frozen facet is removed, and a vertex comes or moves only to places in the free box.
-//       and not in a face of the box but along the chain. That is a block without its inner faces
-//       (FreeBox::within). Where a part of a mesh is refined (blocks/seams.h), it is the part's
-//       box, and facets outside are frozen.
+//   G0  No frozen facet is removed. A vertex comes or moves only to places in the free box, and to
+//       no face of the box but those of its chain (S3). The free box is a block without its inner
+//       faces (FreeBox::within). Where a part of a mesh is refined (blocks/seams.h), it is the
+//       part's box, and facets outside are frozen.
 //   G1  Both are disks, and no new facet or edge is in the mesh already (the link condition), or
 //       would lie in a face of the box (S3). So the mesh stays a manifold. Its topology stays if
 //       the boundaries of the two disks differ in at most one run of the mesh's boundary edges; the

@@ -332,9 +332,6 @@ bool Separation::move(const Push& push) {
   if (!home) return false;
   to = foot ? *foot : within(to, *home, gap_);
   if (distance(to, from) < kLeastMoveGaps * gap_) return false;
-  for (int axis = 0; axis < 3; ++axis) {
-    to[axis] = std::clamp(to[axis], box.lo[axis], box.hi[axis]);
-  }
   const Question question(r_, v, Reason::too_near);
   if (!accept(Operation::move, r_.make(cavity->move(v, to, kTopologyGates)))) return false;
   left_from_[v] = foot ? std::nullopt : home;
