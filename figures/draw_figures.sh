@@ -237,7 +237,7 @@ if ! is_analogue BABY1; then
     --size 900x400 --edges on <<'END'
 
 Look, on the left, for small triangles on tube and lips, and for larger ones on the cheek; on the right, for the same
-shape with a twelfth of the triangles.
+shape with a fourteenth of the triangles.
 END
 fi
 
