@@ -61,7 +61,7 @@ class Builder {
   struct Block {
     Sheets sheets;
     SurfaceCounts counts;            // of T_L
-    std::vector<std::uint64_t> key;  // per vertex: its simplex if other blocks have it, too
+    std::vector<std::uint64_t> key;  // per vertex: its place in T_L if other blocks have it, too
     Report report;
   };
 
@@ -77,7 +77,7 @@ class Builder {
       return label_complex(partition_, regions.samples(region));
     }();
     block.sheets = std::move(complex.sheets);
-    block.key = std::move(complex.simplex);
+    block.key = std::move(complex.place);
     const SheetScope scope = this->scope(regions, region);
     for (std::size_t v = 0; v < block.key.size(); ++v) {
       const bool is_shared =

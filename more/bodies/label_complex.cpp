@@ -5,404 +5,523 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <span>
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <utility>
+
+#include "base/disjoint_sets.h"
+#include "more/bodies/face_regions.h"
 
 namespace deliso {
 namespace {
 
-// Points keep this share of an edge from its ends, and of a triangle's heights from its sides. So
-// rounding, which moves points off their simplices, makes nothing cross.
-constexpr double kFromEnds = 0.02, kFromSides = 0.05;
+// Points keep this share of an edge from its ends, and of a face or a voxel from its sides: T_L has
+// no sharp triangles to begin with, and rounding makes nothing cross.
+constexpr double kFromEnds = 0.15;
 
-// The simplices of which a sample is the least, by the steps to the others: a step is a set of
-// axes. Edges are numbered 0 to 6, triangles 7 to 18, tetrahedra 19 to 24; 25 is the sample.
-constexpr int kFirstTriangle = 7, kFirstTetrahedron = 19, kSampleItself = 25;
-constexpr int edge_number(int step) {
-  return step - 1;
+// The points of a voxel, by number: its corners; edges, by axis and the place of the lower end
+// among four; two points in each face, where three bodies meet; one more in each, in the middle of
+// a region; and one on the line between the two of a face.
+constexpr int kEdges = 8, kMeetings = 20, kMiddles = 32, kBetween = 38, kPoints = 44;
+// Their places in the whole: of edges and faces at the least corner, by axis; of the sample itself;
+// and of those within the voxel, which are copies of points towards its middle, and an apex.
+constexpr std::uint64_t kEdgePlace = 0, kMeetingPlace = 3, kMiddlePlace = 9, kSamplePlace = 12,
+                        kCopyPlace = 13, kApexPlace = kCopyPlace + kPoints;
+constexpr int kSharedPlaces = 13;  // those that are not within a voxel
+static_assert(kApexPlace < LabelComplex::kPlaces);
+
+constexpr int edge_of(int axis, int lower) {
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  return kEdges + 4 * axis + (lower >> u & 1) + 2 * (lower >> v & 1);
 }
-// Of a triangle, by its two steps.
-constexpr auto kTriangleNumbers = [] {
-  std::array<std::array<int, 8>, 8> number{};
-  int next = kFirstTriangle;
-  for (int a = 1; a < 7; ++a) {
-    for (int b = a + 1; b < 8; ++b) {
-      if ((a & b) == a) number[a][b] = next++;
-    }
-  }
-  return number;
-}();
-static_assert(kTriangleNumbers[6][7] == kFirstTetrahedron - 1);
+constexpr int lower_end(int edge) {
+  const int axis = (edge - kEdges) / 4, place = (edge - kEdges) % 4;
+  return (place & 1) << (axis + 1) % 3 | (place >> 1) << (axis + 2) % 3;
+}
+// The corners of a face (base/box3.h), counter-clockwise seen from the end of its axis.
+constexpr std::array<int, 4> face_corners(int face) {
+  const int axis = face / 2, u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
+  const int first = (face % 2) << axis;
+  return {first, first | u, first | u | v, first | v};
+}
+constexpr FacePlaces places_of(int face) {
+  const int axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const std::array<int, 4> c = face_corners(face);
+  return {c,
+          {edge_of(u, c[0]), edge_of(v, c[1]), edge_of(u, c[3]), edge_of(v, c[0])},
+          {kMeetings + 2 * face, kMeetings + 2 * face + 1},
+          kMiddles + face};
+}
 
-// The paths from corner 0 of a voxel to corner 7, and whether (v0, v1, v2, v3) is positive.
-struct Path {
-  std::array<int, 4> corner;
-  bool is_positive;
-};
-constexpr std::array<Path, 6> kPaths{{{{0, 1, 3, 7}, true},
-                                      {{0, 1, 5, 7}, false},
-                                      {{0, 2, 3, 7}, false},
-                                      {{0, 2, 6, 7}, true},
-                                      {{0, 4, 5, 7}, true},
-                                      {{0, 4, 6, 7}, false}}};
-
-// True if the corners i, j, k, l of a positive tetrahedron are in a positive order.
-constexpr bool is_even(int i, int j, int k, int l) {
-  const std::array<int, 4> p{i, j, k, l};
-  int swaps = 0;
-  for (int a = 0; a < 4; ++a) {
-    for (int b = a + 1; b < 4; ++b) swaps += p[a] > p[b] ? 1 : 0;
+// Coordinates that both have stay as they are.
+Vec3 between(const Vec3& a, const Vec3& b, double x) {
+  Vec3 p = a;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (a[axis] != b[axis]) p[axis] = a[axis] + x * (b[axis] - a[axis]);
   }
-  return swaps % 2 == 0;
+  return p;
+}
+
+// The same sum in whatever direction the corners are counted.
+double sum_around(double a, double b, double c, double d) {
+  return (a + c) + (b + d);
 }
 
 class Complex {
  public:
   Complex(const Partition& partition, const SampleBox& box)
       : partition_(partition), box_(box), dims_(box.dims()) {
-    const std::size_t samples = static_cast<std::size_t>(dims_.i) *
-                                static_cast<std::size_t>(dims_.j) *
-                                static_cast<std::size_t>(dims_.k);
-    used_.resize(samples);
-    first_.resize(samples);
+    const std::size_t slice = static_cast<std::size_t>(dims_.i) * static_cast<std::size_t>(dims_.j);
+    for (auto& of_slice : shared_) of_slice.assign(slice * kSharedPlaces, kNoId);
   }
 
   LabelComplex build() {
-    for_each_tetrahedron([&](const Tetrahedron& t) { mark(t); });
-    number_points();
-    for_each_tetrahedron([&](const Tetrahedron& t) { add_facets(t); });
+    for (int k = box_.begin.k; k < box_.end.k; ++k) {
+      for (int j = box_.begin.j; j < box_.end.j; ++j) {
+        for (int i = box_.begin.i; i < box_.end.i; ++i) add_voxel({i, j, k});
+      }
+      std::swap(shared_[0], shared_[1]);
+      std::ranges::fill(shared_[1], VertexId(kNoId));
+    }
     made_.sheets.free_facets = made_.sheets.facets.size();
     return std::move(made_);
   }
 
  private:
-  struct Tetrahedron {
-    Index3 voxel;
-    int path;
-    std::array<Index3, 4> sample;
-    std::array<BodyId, 4> body;
-    bool is_positive;
-    int bodies;  // how many
-    // Per corner: the face of the box that holds the other three; 6: none.
-    std::array<int, 4> outside;
-  };
+  // --- The voxel at hand ---
 
-  std::size_t index(Index3 s) const {
-    return static_cast<std::size_t>(s.i - box_.begin.i) +
-           static_cast<std::size_t>(dims_.i) *
-               (static_cast<std::size_t>(s.j - box_.begin.j) +
-                static_cast<std::size_t>(dims_.j) * static_cast<std::size_t>(s.k - box_.begin.k));
-  }
-
-  template <class Visit>
-  void for_each_tetrahedron(Visit&& visit) {
-    const Index3 last = partition_.shape().voxels();
-    Index3 at;
-    for (at.k = box_.begin.k; at.k < box_.end.k; ++at.k) {
-      for (at.j = box_.begin.j; at.j < box_.end.j; ++at.j) {
-        for (at.i = box_.begin.i; at.i < box_.end.i; ++at.i) {
-          std::array<BodyId, 8> body;
-          for (int m = 0; m < 8; ++m) body[m] = partition_.body_at(corner_of(at, m));
-          const bool is_at_box = at.i == 0 || at.j == 0 || at.k == 0 || at.i + 1 == last.i ||
-                                 at.j + 1 == last.j || at.k + 1 == last.k;
-          if (!is_at_box && std::ranges::all_of(body, [&](BodyId b) { return b == body[0]; })) {
-            continue;
-          }
-          for (int path = 0; path < 6; ++path) {
-            const auto& corner = kPaths[path].corner;
-            Tetrahedron t{at, path, {}, {}, kPaths[path].is_positive, 1, {6, 6, 6, 6}};
-            for (int n = 0; n < 4; ++n) {
-              t.sample[n] = corner_of(at, corner[n]);
-              t.body[n] = body[corner[n]];
-              bool is_new = n > 0;
-              for (int m = 0; m < n; ++m) is_new &= t.body[m] != t.body[n];
-              t.bodies += is_new ? 1 : 0;
-            }
-            if (is_at_box) set_outside(t);
-            if (t.bodies > 1 || t.outside != std::array{6, 6, 6, 6}) visit(t);
-          }
-        }
+  void add_voxel(Index3 at) {
+    voxel_ = at;
+    for (int m = 0; m < 8; ++m) body_[m] = partition_.body_at(corner_of(at, m));
+    const unsigned on_box = outer_faces(at, partition_.shape().voxels());
+    const bool is_one = std::ranges::all_of(body_, [&](BodyId b) { return b == body_[0]; });
+    if (is_one && on_box == 0) return;
+    lo_ = partition_.shape().position(at);
+    hi_ = partition_.shape().position(corner_of(at, 7));
+    find_bodies();
+    faces_.clear();
+    arcs_.clear();
+    for (int face = 0; face < 6; ++face) {
+      faces_.emplace_back(bodies_of(face), diagonal_of(face), places_of(face));
+      for (FaceArc arc : faces_.back().arcs()) {
+        if (face % 2 == 0) std::swap(arc.from, arc.to);
+        if (arc.left > arc.right) arc = {arc.to, arc.from, arc.right, arc.left};
+        arcs_.push_back(arc);
       }
+    }
+    for (int face = 0; face < 6; ++face) {
+      if ((on_box >> face & 1) != 0) add_caps(face);
+    }
+    if (is_one) return;
+    if (is_simple()) {
+      add_cone();
+    } else {
+      add_layers();
     }
   }
 
-  // Only the faces opposite the first and the last corner of a path can lie on the box.
-  void set_outside(Tetrahedron& t) const {
-    const Index3 count = partition_.shape().dims();
-    for (const int n : {0, 3}) {
-      unsigned faces = 63;
-      for (int m = 0; m < 4; ++m) {
-        if (m != n) faces &= outer_faces(t.sample[m], count);
+  // The bodies of the corners, and their fields there.
+  void find_bodies() {
+    names_.clear();
+    for (const BodyId b : body_) {
+      if (std::ranges::find(names_, b) == names_.end()) names_.push_back(b);
+    }
+    fields_.resize(names_.size());
+    for (std::size_t n = 0; n < names_.size() && names_.size() > 1; ++n) {
+      for (int m = 0; m < 8; ++m) {
+        fields_[n][m] = partition_.value(names_[n], corner_of(voxel_, m));
       }
-      if (faces != 0) t.outside[n] = std::countr_zero(faces);
     }
   }
-
-  struct Simplex {
-    Index3 least;
-    int number;
-  };
-  Simplex edge(const Tetrahedron& t, int i, int j) const {
-    if (i > j) std::swap(i, j);
-    const auto& c = kPaths[t.path].corner;
-    return {t.sample[i], edge_number(c[j] ^ c[i])};
-  }
-  Simplex triangle(const Tetrahedron& t, int opposite) const {
-    const int i = opposite == 0 ? 1 : 0, j = opposite <= 1 ? 2 : 1, k = opposite == 3 ? 2 : 3;
-    const auto& c = kPaths[t.path].corner;
-    return {t.sample[i], kTriangleNumbers[c[j] ^ c[i]][c[k] ^ c[i]]};
-  }
-  Simplex inside(const Tetrahedron& t) const { return {t.voxel, kFirstTetrahedron + t.path}; }
-
-  void use(const Simplex& s) { used_[index(s.least)] |= 1u << s.number; }
-  VertexId point(const Simplex& s) const {
-    const std::size_t at = index(s.least);
-    const std::uint32_t before = used_[at] & ((1u << s.number) - 1);
-    return VertexId(first_[at] + static_cast<std::uint32_t>(std::popcount(before)));
-  }
-  bool has_three(const Tetrahedron& t, int opposite) const {
-    const auto& b = t.body;
-    const BodyId x = b[opposite == 0 ? 1 : 0], y = b[opposite <= 1 ? 2 : 1],
-                 z = b[opposite == 3 ? 2 : 3];
-    return x != y && y != z && x != z;
+  const Corners& field(BodyId body) const {
+    return fields_[static_cast<std::size_t>(std::ranges::find(names_, body) - names_.begin())];
   }
 
-  void mark(const Tetrahedron& t) {
-    for (int i = 0; i < 4; ++i) {
-      for (int j = i + 1; j < 4; ++j) {
-        if (t.body[i] != t.body[j]) use(edge(t, i, j));
-      }
-      if (t.bodies > 2 && has_three(t, i)) use(triangle(t, i));
-      for (const int at : {0, 3}) {
-        if (t.outside[at] < 6 && at != i) use({t.sample[i], kSampleItself});
-      }
+  // Returns the one of some bodies for which a value is the largest: of equal ones the least.
+  template <class Value>
+  static BodyId largest(std::span<const BodyId> bodies, Value&& value) {
+    BodyId best = bodies[0];
+    double most = value(best);
+    for (const BodyId b : bodies.subspan(1)) {
+      const double here = value(b);
+      if (here > most || (here == most && b < best)) best = b, most = here;
     }
-    if (t.bodies > 2) use(inside(t));
+    return best;
   }
 
-  // Numbers the points in the order of their simplices, and places them.
-  void number_points() {
-    const Index3 all = partition_.shape().dims();
-    Index3 s;
-    for (s.k = box_.begin.k; s.k <= box_.end.k; ++s.k) {
-      for (s.j = box_.begin.j; s.j <= box_.end.j; ++s.j) {
-        for (s.i = box_.begin.i; s.i <= box_.end.i; ++s.i) {
-          const std::size_t at = index(s);
-          first_[at] = static_cast<std::uint32_t>(made_.simplex.size());
-          const std::uint64_t sample =
-              s.i + std::uint64_t(all.i) * (s.j + std::uint64_t(all.j) * s.k);
-          for (std::uint32_t rest = used_[at]; rest != 0; rest &= rest - 1) {
-            made_.simplex.push_back(sample * LabelComplex::kSimplices +
-                                    static_cast<std::uint64_t>(std::countr_zero(rest)));
-          }
-        }
-      }
-    }
-    made_.sheets.points.resize(made_.simplex.size());
-    std::vector<std::uint8_t> is_placed(made_.simplex.size());
-    std::vector<Vec3>& points = made_.sheets.points;
-    const auto place = [&](const Simplex& simplex, auto&& where) {
-      const VertexId v = point(simplex);
-      if (std::exchange(is_placed[v], 1) == 0) points[v] = where();
-      return points[v];
-    };
-    for_each_tetrahedron([&](const Tetrahedron& t) {
-      Vec3 sum;
-      int faces = 0;
-      for (int i = 0; i < 4; ++i) {
-        for (int j = i + 1; j < 4; ++j) {
-          if (t.body[i] == t.body[j]) continue;
-          place(edge(t, i, j), [&] { return tie_on_edge(t, i, j); });
-        }
-        if (t.bodies > 2 && has_three(t, i)) {
-          sum = sum + place(triangle(t, i), [&] { return tie_in_triangle(t, i); });
-          ++faces;
-        }
-        for (const int at : {0, 3}) {
-          if (t.outside[at] == 6 || at == i) continue;
-          place({t.sample[i], kSampleItself},
-                [&] { return partition_.shape().position(t.sample[i]); });
-        }
-      }
-      if (t.bodies > 2) points[point(inside(t))] = sum / faces;
+  std::array<BodyId, 4> bodies_of(int face) const {
+    const std::array<int, 4> c = face_corners(face);
+    return {body_[c[0]], body_[c[1]], body_[c[2]], body_[c[3]]};
+  }
+  int diagonal_of(int face) const {
+    const std::array<int, 4> c = face_corners(face);
+    const std::array<BodyId, 4> bodies = bodies_of(face);
+    const BodyId middle = largest(bodies, [&](BodyId b) {
+      const Corners& f = field(b);
+      return sum_around(f[c[0]], f[c[1]], f[c[2]], f[c[3]]);
+    });
+    return bodies[0] == middle || bodies[2] == middle ? 0 : 1;
+  }
+  BodyId body_of_middle() const {
+    return largest(names_, [&](BodyId b) {
+      const Corners& f = field(b);
+      return sum_around(f[0] + f[7], f[1] + f[6], f[3] + f[4], f[2] + f[5]);
     });
   }
 
-  // Where the fields of the bodies of corners i and j are equal on the edge. Along it their
-  // difference is a polynomial, in Bernstein's form by the samples of the smallest box around it.
-  Vec3 tie_on_edge(const Tetrahedron& t, int i, int j) const {
-    const int from = kPaths[t.path].corner[i], step = kPaths[t.path].corner[j] ^ from;
-    const int degree = std::popcount(static_cast<unsigned>(step));
-    std::array<double, 4> sum{};
-    for (int m = 0; m < 8; ++m) {
-      if ((m & ~step) != 0) continue;
-      const Index3 sample = corner_of(t.voxel, from | m);
-      sum[std::popcount(static_cast<unsigned>(m))] +=
-          partition_.value(t.body[i], sample) - partition_.value(t.body[j], sample);
-    }
-    const auto value = [&](double x) {
-      const double y = 1 - x;
-      switch (degree) {
-        case 1:
-          return y * sum[0] + x * sum[1];
-        case 2:
-          return y * y * sum[0] + x * y * sum[1] + x * x * sum[2];
-        default:
-          return y * y * y * sum[0] + x * y * (y * sum[1] + x * sum[2]) + x * x * x * sum[3];
+  // True if each body has one piece on the voxel's surface, a disk, and meets each other there.
+  bool is_simple() const {
+    DisjointSets pieces(8);
+    std::size_t points = 0, pairs = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int m = 0; m < 8; ++m) {
+        const int other = m | 1 << axis;
+        if (other == m) continue;
+        if (body_[m] == body_[other]) pieces.unite(m, other);
+        points += body_[m] != body_[other];
       }
-    };
-    double lo = 0, hi = 1, at_lo = sum[0], at_hi = sum[static_cast<std::size_t>(degree)], x = 0.5;
-    for (int n = 0; n < 24 && hi - lo > 1e-6; ++n) {
-      x = at_lo > at_hi ? (at_lo * hi - at_hi * lo) / (at_lo - at_hi) : 0.5;
-      const double least = 0.05 * (hi - lo);
-      x = n % 3 == 2 ? 0.5 * (lo + hi) : std::clamp(x, lo + least, hi - least);
-      const double here = value(x);
-      (here > 0 ? lo : hi) = x;
-      (here > 0 ? at_lo : at_hi) = here;
     }
-    x = std::clamp(x, kFromEnds, 1 - kFromEnds);
-    const Vec3 a = partition_.shape().position(t.sample[i]),
-               b = partition_.shape().position(t.sample[j]);
-    return between(a, b, x);
+    for (int face = 0; face < 6; ++face) {
+      const std::array<int, 4> c = face_corners(face);
+      points += static_cast<std::size_t>(faces_[face].meetings());
+      const int d = faces_[face].diagonal();
+      if (d >= 0 && body_[c[d]] == body_[c[d + 2]]) pieces.unite(c[d], c[d + 2]);
+    }
+    std::size_t regions = 0;
+    for (int m = 0; m < 8; ++m) regions += pieces.find(m) == static_cast<std::uint32_t>(m);
+    std::array<std::uint64_t, 8> meets{};
+    const auto number = [&](BodyId b) { return std::ranges::find(names_, b) - names_.begin(); };
+    for (const FaceArc& arc : arcs_) {
+      meets[number(arc.left)] |= 1u << number(arc.right);
+      meets[number(arc.right)] |= 1u << number(arc.left);
+    }
+    for (const std::uint64_t of : meets) pairs += static_cast<std::size_t>(std::popcount(of));
+    const std::size_t bodies = names_.size();
+    return regions == bodies && points + regions == arcs_.size() + 2 &&
+           pairs == bodies * (bodies - 1);
   }
 
-  // Coordinates that both have stay as they are.
-  static Vec3 between(const Vec3& a, const Vec3& b, double x) {
-    Vec3 p = a;
+  // --- Facets ---
+
+  // Adds a facet that is counter-clockwise seen from one body.
+  void add(Triangle v, BodyId seen_from, BodyId other) {
+    const std::array<BodyId, 2> order = partition_.in_order(seen_from, other);
+    if (order[0] != seen_from) std::swap(v[1], v[2]);
+    made_.sheets.facets.push_back({v, order});
+  }
+
+  void add_caps(int face) {
+    for (const FaceTriangle& t : triangles_outwards(face)) {
+      made_.sheets.facets.push_back(
+          {{point(t.v[0]), point(t.v[1]), point(t.v[2])}, {partition_.beyond(face), t.body}});
+    }
+  }
+  // Counter-clockwise seen from outside the voxel.
+  std::vector<FaceTriangle> triangles_outwards(int face) const {
+    std::vector<FaceTriangle> triangles = faces_[face].triangles();
+    if (face % 2 != 0) return triangles;
+    for (FaceTriangle& t : triangles) std::swap(t.v[1], t.v[2]);
+    return triangles;
+  }
+
+  // The cone over the arcs. Over a loop of three or four of them, the loop filled by itself.
+  void add_cone() {
+    if (names_.size() == 2 && arcs_.size() <= 4) {
+      std::array<VertexId, 4> loop{};
+      int at = arcs_[0].from;
+      for (std::size_t n = 0; n < arcs_.size(); ++n) {
+        loop[n] = point(at);
+        at = std::ranges::find(arcs_, at, &FaceArc::from)->to;
+      }
+      const auto& [a, b, c, d] = loop;
+      const BodyId left = arcs_[0].left, right = arcs_[0].right;
+      const std::vector<Vec3>& p = made_.sheets.points;
+      if (arcs_.size() == 3) {
+        add({a, b, c}, left, right);
+      } else if (distance2(p[a], p[c]) <= distance2(p[b], p[d])) {
+        add({a, b, c}, left, right), add({a, c, d}, left, right);
+      } else {
+        add({a, b, d}, left, right), add({b, c, d}, left, right);
+      }
+      return;
+    }
+    // In the middle of the points where three bodies meet; if there are none, of all.
+    Vec3 sum;
+    int points = 0;
+    const int first = names_.size() > 2 ? kMeetings : kEdges;
+    const int last = names_.size() > 2 ? kMiddles : kMeetings;
+    std::array<bool, kPoints> is_used{};
+    for (const FaceArc& arc : arcs_) is_used[arc.from] = is_used[arc.to] = true;
+    for (int n = first; n < last; ++n) {
+      if (!is_used[n]) continue;
+      sum = sum + made_.sheets.points[point(n)];
+      ++points;
+    }
+    const VertexId apex = add_point(kApexPlace, within(sum / points));
+    for (const FaceArc& arc : arcs_)
+      add({point(arc.from), point(arc.to), apex}, arc.left, arc.right);
+  }
+  Vec3 within(Vec3 p) const {
     for (int axis = 0; axis < 3; ++axis) {
-      if (a[axis] != b[axis]) p[axis] = a[axis] + x * (b[axis] - a[axis]);
+      const double margin = kFromEnds * (hi_[axis] - lo_[axis]);
+      p[axis] = std::clamp(p[axis], lo_[axis] + margin, hi_[axis] - margin);
     }
     return p;
   }
 
-  // Where the fields of three bodies, linear in the triangle, are equal.
-  Vec3 tie_in_triangle(const Tetrahedron& t, int opposite) const {
-    const std::array<int, 3> n{opposite == 0 ? 1 : 0, opposite <= 1 ? 2 : 1, opposite == 3 ? 2 : 3};
+  // The body of the middle has all but layers at the faces.
+  void add_layers() {
+    const BodyId m = body_of_middle();
+    copy_.fill(kNoId);
+    for (int corner = 0; corner < 8; ++corner) {
+      if (body_[corner] != m && is_cut_off(corner, m)) cut_off(corner, m);
+    }
+    for (int face = 0; face < 6; ++face) add_sheets(face, m);
+    for (const FaceArc& arc : arcs_) {
+      if (arc.left == m || arc.right == m) continue;
+      const VertexId p = point(arc.from), q = point(arc.to);
+      if (is_at_contact_of(arc, m)) {
+        add({p, q, copy(between_of(arc), m)}, arc.left, arc.right);
+        continue;
+      }
+      const VertexId p_in = copy(arc.from, m), q_in = copy(arc.to, m);
+      if (q_in != q) add({p, q, q_in}, arc.left, arc.right);
+      if (p_in != p) add({p, q_in, p_in}, arc.left, arc.right);
+    }
+  }
+  // True if all around a corner is m's: an arc each in three faces, so that a triangle does for its
+  // sheet.
+  bool is_cut_off(int corner, BodyId m) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (body_[corner ^ 1 << axis] != m) return false;
+      const int face = 2 * axis + (corner >> axis & 1), d = faces_[face].diagonal();
+      if (faces_[face].meetings() > 0) return false;
+      if (d >= 0 && body_[face_corners(face)[d]] == body_[corner]) return false;
+    }
+    return true;
+  }
+  void cut_off(int corner, BodyId m) {
+    const auto edge = [&](int axis) { return point(edge_of(axis, corner & ~(1 << axis))); };
+    // From a corner at an even number of high ends, x, y and z are seen clockwise.
+    Triangle v{edge(0), edge(1), edge(2)};
+    if (std::popcount(static_cast<unsigned>(corner)) % 2 == 0) std::swap(v[1], v[2]);
+    add(v, body_[corner], m);
+  }
+  // An arc between two other bodies, both ends of which m comes to.
+  bool is_at_contact_of(const FaceArc& arc, BodyId m) const {
+    return arc.left != m && arc.right != m && is_meeting(arc.from) && is_meeting(arc.to) &&
+           holds(arc.from, m) && holds(arc.to, m);
+  }
+  static bool is_meeting(int point) { return point >= kMeetings && point < kMiddles; }
+  static int between_of(const FaceArc& arc) { return kBetween + (arc.from - kMeetings) / 2; }
+
+  void add_sheets(int face, BodyId m) {
+    const FaceArc* contact = nullptr;
+    for (const FaceArc& arc : faces_[face].arcs()) {
+      if (is_at_contact_of(arc, m)) contact = &arc;
+    }
+    for (const FaceTriangle& t : triangles_outwards(face)) {
+      const auto& [a, b, c] = t.v;
+      if (t.body == m || (a < kEdges && is_cut_off(a, m))) continue;
+      if (contact != nullptr && is_meeting(b) && is_meeting(c)) {
+        const VertexId middle = copy(between_of(*contact), m);
+        add({copy(a, m), copy(b, m), middle}, t.body, m);
+        add({copy(a, m), middle, copy(c, m)}, t.body, m);
+      } else {
+        add({copy(a, m), copy(b, m), copy(c, m)}, t.body, m);
+      }
+    }
+  }
+
+  // --- Points ---
+
+  VertexId add_point(std::uint64_t place, const Vec3& p) {
+    const Index3 all = partition_.shape().dims();
+    const std::uint64_t sample =
+        voxel_.i + std::uint64_t(all.i) * (voxel_.j + std::uint64_t(all.j) * voxel_.k);
+    return add_point_at(sample * LabelComplex::kPlaces + place, p);
+  }
+  VertexId add_point_at(std::uint64_t place, const Vec3& p) {
+    made_.place.push_back(place);
+    made_.sheets.points.push_back(p);
+    return VertexId(made_.sheets.points.size() - 1);
+  }
+
+  // Returns the point of that number, on the voxel's surface.
+  VertexId point(int n) {
+    const auto [corner, place] = shared_place(n);
+    const Index3 s = corner_of(voxel_, corner);
+    VertexId& id =
+        shared_[corner >> 2][kSharedPlaces * (static_cast<std::size_t>(s.i - box_.begin.i) +
+                                              static_cast<std::size_t>(dims_.i) *
+                                                  static_cast<std::size_t>(s.j - box_.begin.j)) +
+                             static_cast<std::size_t>(place)];
+    if (id == kNoId) {
+      const Index3 all = partition_.shape().dims();
+      const std::uint64_t sample = s.i + std::uint64_t(all.i) * (s.j + std::uint64_t(all.j) * s.k);
+      id = add_point_at(sample * LabelComplex::kPlaces + place, position(n));
+    }
+    return id;
+  }
+  // Where it is. Points of corners and in the middle of regions are not made by that.
+  Vec3 place_of(int n) {
+    return n < kEdges || n >= kMiddles ? position(n) : made_.sheets.points[point(n)];
+  }
+  // Its least corner, and its place there.
+  static std::pair<int, std::uint64_t> shared_place(int n) {
+    if (n < kEdges) return {n, kSamplePlace};
+    if (n < kMeetings) return {lower_end(n), kEdgePlace + static_cast<unsigned>(n - kEdges) / 4};
+    if (n < kMiddles) {
+      const int face = (n - kMeetings) / 2, axis = face / 2;
+      return {(face % 2) << axis, kMeetingPlace + static_cast<unsigned>(2 * axis + (n & 1))};
+    }
+    const int face = n - kMiddles, axis = face / 2;
+    return {(face % 2) << axis, kMiddlePlace + static_cast<unsigned>(axis)};
+  }
+  Vec3 corner(int m) const { return partition_.shape().position(corner_of(voxel_, m)); }
+
+  Vec3 position(int n) {
+    if (n < kEdges) return corner(n);
+    if (n < kMeetings) return on_edge(n);
+    if (n < kMiddles) return in_face((n - kMeetings) / 2, n & 1);
+    Vec3 sum;
+    const std::vector<int> around = faces_[n - kMiddles].around_middle();
+    for (const int p : around) sum = sum + place_of(p) / static_cast<double>(around.size());
+    const int axis = (n - kMiddles) / 2;
+    sum[axis] = corner(face_corners(n - kMiddles)[0])[axis];
+    return sum;
+  }
+
+  // Where the fields of the two bodies are equal.
+  Vec3 on_edge(int n) const {
+    const int a = lower_end(n), b = a | 1 << (n - kEdges) / 4;
+    const Corners &f = field(body_[a]), &g = field(body_[b]);
+    const double at_a = f[a] - g[a], at_b = g[b] - f[b], sum = at_a + at_b;
+    const double x = sum > 0 ? std::clamp(at_a / sum, kFromEnds, 1 - kFromEnds) : 0.5;
+    return between(corner(a), corner(b), x);
+  }
+
+  // Where the fields of three bodies are equal: bilinear ones in the face if three meet there;
+  // linear ones between three corners if there are four, or two points.
+  Vec3 in_face(int face, int which) const {
+    const std::array<int, 4> c = face_corners(face);
+    const int d = faces_[face].diagonal();
+    if (d >= 0) {
+      const int first = d + 2 * which;
+      return tie_of_corners({c[first], c[(first + 1) % 4], c[(first + 2) % 4]});
+    }
+    int lone = 0;  // the corner between the edges that are between others than the twin corners
+    while (body_[c[(lone + 1) % 4]] != body_[c[(lone + 2) % 4]]) ++lone;
+    const BodyId a = body_[c[(lone + 1) % 4]], b = body_[c[(lone + 3) % 4]], e = body_[c[lone]];
+    double u = 0.5, v = 0.5;
+    for (int step = 0; step < 6; ++step) {
+      const auto row = [&](BodyId other) {  // the difference, and its derivatives
+        std::array<double, 4> f{};
+        for (int n = 0; n < 4; ++n) f[n] = field(a)[c[n]] - field(other)[c[n]];
+        const double bottom = f[0] + u * (f[1] - f[0]), top = f[3] + u * (f[2] - f[3]);
+        return Vec3{(1 - v) * (f[1] - f[0]) + v * (f[2] - f[3]), top - bottom,
+                    bottom + v * (top - bottom)};
+      };
+      const Vec3 p = row(b), q = row(e);
+      const double det = p.x * q.y - p.y * q.x;
+      if (!(std::fabs(det) > 1e-9)) break;
+      u = std::clamp(u + (p.y * q.z - q.y * p.z) / det, kFromEnds, 1 - kFromEnds);
+      v = std::clamp(v + (q.x * p.z - p.x * q.z) / det, kFromEnds, 1 - kFromEnds);
+    }
+    return between(corner(c[0]), corner(c[1]), u) +
+           (between(corner(c[0]), corner(c[3]), v) - corner(c[0]));
+  }
+
+  Vec3 tie_of_corners(const std::array<int, 3>& n) const {
     Vec3 first, second;  // differences at the corners
     for (int m = 0; m < 3; ++m) {
-      const Index3 s = t.sample[n[m]];
-      const double own = partition_.value(t.body[n[0]], s);
-      first[m] = own - partition_.value(t.body[n[1]], s);
-      second[m] = own - partition_.value(t.body[n[2]], s);
+      const double own = field(body_[n[0]])[n[m]];
+      first[m] = own - field(body_[n[1]])[n[m]];
+      second[m] = own - field(body_[n[2]])[n[m]];
     }
     Vec3 share = cross(first, second);
     double sum = share.x + share.y + share.z;
     if (!(std::fabs(sum) > 0)) share = {1, 1, 1}, sum = 3;
     double total = 0;
     for (int m = 0; m < 3; ++m) {
-      share[m] = std::clamp(share[m] / sum, kFromSides, 1.0);
+      share[m] = std::clamp(share[m] / sum, kFromEnds, 1.0);
       total += share[m];
     }
-    std::array<Vec3, 3> p;
-    for (int m = 0; m < 3; ++m) p[m] = partition_.shape().position(t.sample[n[m]]);
-    return between(between(p[0], p[1], share[1] / (share[0] + share[1])), p[2], share[2] / total);
+    return between(between(corner(n[0]), corner(n[1]), share[1] / (share[0] + share[1])),
+                   corner(n[2]), share[2] / total);
   }
 
-  // Adds the facet v between two bodies: counter-clockwise seen from `up` if `is_up`, else from
-  // `down`.
-  void add(Triangle v, bool is_up, BodyId up, BodyId down) {
-    const std::array<BodyId, 2> order = partition_.in_order(up, down);
-    if ((order[0] == up) != is_up) std::swap(v[1], v[2]);
-    made_.sheets.facets.push_back({v, order});
+  // True if the body comes to the point.
+  bool holds(int n, BodyId body) const {
+    if (n < kEdges) return body_[n] == body;
+    if (n < kMeetings) {
+      const int a = lower_end(n);
+      return body_[a] == body || body_[a | 1 << (n - kEdges) / 4] == body;
+    }
+    if (n >= kMiddles) return false;  // asked of regions of other bodies
+    return std::ranges::any_of(arcs_, [&](const FaceArc& arc) {
+      return (arc.from == n || arc.to == n) && (arc.left == body || arc.right == body);
+    });
   }
 
-  void add_facets(const Tetrahedron& t) {
-    if (t.bodies == 2) add_plane(t);
-    if (t.bodies > 2) {
-      const VertexId apex = point(inside(t));
-      for (int n = 0; n < 4; ++n) add_cone(t, n, apex);
-    }
-    for (const int n : {0, 3}) {
-      if (t.outside[n] < 6) add_region(t, n);
-    }
-  }
-
-  bool is_positive(const Tetrahedron& t, int i, int j, int k, int l) const {
-    return is_even(i, j, k, l) == t.is_positive;
-  }
-
-  // The triangle or the quadrilateral of marching tetrahedra.
-  void add_plane(const Tetrahedron& t) {
-    std::array<int, 4> own{}, other{};
-    int owns = 0, others = 0;
-    for (int n = 0; n < 4; ++n) {
-      (t.body[n] == t.body[0] ? own[owns++] : other[others++]) = n;
-    }
-    if (owns != 2) {
-      const auto& [a, b, c, rest] = owns == 3 ? own : other;
-      const int odd = owns == 3 ? other[0] : own[0];
-      add({point(edge(t, odd, a)), point(edge(t, odd, b)), point(edge(t, odd, c))},
-          is_positive(t, a, b, c, odd), t.body[odd], t.body[a]);
-      return;
-    }
-    const int i = own[0], j = own[1], k = other[0], l = other[1];
-    const VertexId ik = point(edge(t, i, k)), il = point(edge(t, i, l)), jl = point(edge(t, j, l)),
-                   jk = point(edge(t, j, k));
-    const bool is_up = is_positive(t, i, j, k, l);
-    const std::vector<Vec3>& p = made_.sheets.points;
-    if (distance2(p[ik], p[jl]) <= distance2(p[il], p[jk])) {
-      add({ik, il, jl}, is_up, t.body[k], t.body[i]);
-      add({ik, jl, jk}, is_up, t.body[k], t.body[i]);
+  // The point itself if body m comes to it; else a copy of it towards the voxel's middle, where the
+  // fields of its body and m are equal.
+  VertexId copy(int n, BodyId m) {
+    if (n < kBetween && holds(n, m)) return point(n);
+    VertexId& id = copy_[n];
+    if (id != kNoId) return id;
+    const Vec3 middle = 0.5 * (lo_ + hi_);
+    Vec3 p;
+    if (n < kBetween) {
+      p = place_of(n);
     } else {
-      add({ik, il, jk}, is_up, t.body[k], t.body[i]);
-      add({il, jl, jk}, is_up, t.body[k], t.body[i]);
+      const int meeting = kMeetings + 2 * (n - kBetween);
+      p = 0.5 * (made_.sheets.points[point(meeting)] + made_.sheets.points[point(meeting + 1)]);
     }
-  }
-
-  // The cone over the segments in the face opposite corner n.
-  void add_cone(const Tetrahedron& t, int n, VertexId apex) {
-    const std::array<int, 3> f{n == 0 ? 1 : 0, n <= 1 ? 2 : 1, n == 3 ? 2 : 3};
-    const bool is_branched = has_three(t, n);
-    for (int m = 0; m < 3; ++m) {
-      const int i = f[m], j = f[(m + 1) % 3], k = f[(m + 2) % 3];
-      if (is_branched) {
-        add({point(edge(t, i, j)), point(triangle(t, n)), apex}, is_positive(t, i, k, n, j),
-            t.body[j], t.body[i]);
-      } else if (t.body[i] == t.body[j] && t.body[i] != t.body[k]) {
-        // The segment from the edge ki to kj has k on one side.
-        add({point(edge(t, k, i)), point(edge(t, k, j)), apex}, is_positive(t, i, j, n, k),
-            t.body[k], t.body[i]);
-      }
-    }
-  }
-
-  // The regions in the face opposite corner n, which lies on the box.
-  void add_region(const Tetrahedron& t, int n) {
-    std::array<int, 3> f{n == 0 ? 1 : 0, n <= 1 ? 2 : 1, n == 3 ? 2 : 3};
-    if (is_positive(t, f[0], f[1], f[2], n)) std::swap(f[1], f[2]);  // seen from outside
-    const BodyId beyond = partition_.beyond(t.outside[n]);
-    const auto cap = [&](VertexId a, VertexId b, VertexId c, int corner) {
-      made_.sheets.facets.push_back({{a, b, c}, {beyond, t.body[corner]}});
+    const auto ahead = [&](const Vec3& at) {  // of m, the body that is ahead there
+      double most = 0;
+      for (const BodyId b : names_) most = std::max(most, value(b, at));
+      return most - value(m, at);
     };
-    const auto at = [&](int m) { return point({t.sample[f[m]], kSampleItself}); };
-    const auto on = [&](int m, int l) { return point(edge(t, f[m], f[l])); };
-    if (has_three(t, n)) {
-      const VertexId middle = point(triangle(t, n));
-      for (int m = 0; m < 3; ++m) {
-        const int l = (m + 1) % 3, k = (m + 2) % 3;
-        cap(at(m), on(m, l), middle, f[m]);
-        cap(at(m), middle, on(m, k), f[m]);
-      }
-      return;
+    const double here = ahead(p), there = value(m, middle) - second_best(m, middle);
+    const double x = here + there > 0 ? here / (here + there) : 0;
+    return id = add_point(kCopyPlace + static_cast<unsigned>(n),
+                          p + std::clamp(x, kFromEnds, 1 - kFromEnds) * (middle - p));
+  }
+  double second_best(BodyId m, const Vec3& at) const {
+    double most = 0;
+    for (const BodyId b : names_) most = b == m ? most : std::max(most, value(b, at));
+    return most;
+  }
+  double value(BodyId body, const Vec3& p) const {
+    const Corners& f = field(body);
+    Vec3 u;
+    for (int axis = 0; axis < 3; ++axis) u[axis] = (p[axis] - lo_[axis]) / (hi_[axis] - lo_[axis]);
+    double sum = 0;
+    for (int m = 0; m < 8; ++m) {
+      double share = 1;
+      for (int axis = 0; axis < 3; ++axis) share *= (m >> axis & 1) != 0 ? u[axis] : 1 - u[axis];
+      sum += share * f[m];
     }
-    for (int m = 0; m < 3; ++m) {
-      const int l = (m + 1) % 3, k = (m + 2) % 3;
-      if (t.body[f[l]] != t.body[f[k]]) continue;
-      if (t.body[f[m]] == t.body[f[l]]) {
-        cap(at(0), at(1), at(2), f[0]);
-      } else {
-        cap(at(m), on(m, l), on(m, k), f[m]);
-        cap(on(m, l), at(l), at(k), f[l]);
-        cap(on(m, l), at(k), on(m, k), f[l]);
-      }
-      return;
-    }
+    return sum;
   }
 
   const Partition& partition_;
   SampleBox box_;
   Index3 dims_;
-  std::vector<std::uint32_t> used_, first_;  // per sample: its simplices with a point
+  // The points at two slices of samples; kNoId: none yet.
+  std::array<std::vector<VertexId>, 2> shared_;
   LabelComplex made_;
+
+  Index3 voxel_;
+  Vec3 lo_, hi_;  // its ends
+  std::array<BodyId, 8> body_{};
+  std::vector<BodyId> names_;    // the different ones
+  std::vector<Corners> fields_;  // of each name
+  std::vector<FaceRegions> faces_;
+  std::vector<FaceArc> arcs_;  // of all faces, as seen from outside, the lesser body to the left
+  std::array<VertexId, kPoints> copy_;
 };
 
 }  // namespace

@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: MIT
 // T_L: the complex that divides space among the bodies of the samples. It has the right topology,
-// and does not cross itself, wherever its points lie within their simplices.
+// and does not cross itself, wherever its points lie within their edges, faces and voxels.
 //
-// Each voxel is cut into Freudenthal's six tetrahedra: the paths of three steps along the axes from
-// its first corner to its last. In a tetrahedron a point belongs to the body with the largest sum
-// of barycentric coordinates. So a body's region is a regular neighborhood of the subcomplex that
-// its samples span, and its boundary is a manifold (docs/proof.md). The border has
-//   - a point on each edge between two bodies, where their fields are equal;
-//   - a point in each triangle of three bodies, joined to those on its edges: a curve passes there;
-//   - in a tetrahedron of two bodies the triangle or the quadrilateral of those on its edges;
-//   - in one of three or four bodies a point, and the cone from it over the segments in its faces;
-//   - in triangles on the box the regions themselves, which border on the bodies beyond.
+// What it must be: each voxel is cut into 24 tetrahedra, from its middle over the middles of its
+// faces to the ends of its edges. The middle of a face, and that of a voxel, belongs to the body of
+// one of its corners: the one with the largest mean of the fields there. In a tetrahedron a point
+// belongs to the body with the largest sum of barycentric coordinates. So a body's region is a
+// regular neighborhood of the subcomplex that its points span, its boundary is a manifold, and no
+// direction is preferred: a mirrored volume has the mirrored topology (docs/proof.md).
+//
+// How it is made, with fewer points:
+//   - an axis edge between two bodies has a point, where their fields are equal;
+//   - a face is divided by arcs between these points: straight, or from one or two points in the
+//     face where three bodies meet. Face middles decide which (face_regions.h);
+//   - a voxel whose bodies have one piece each on its surface, each a disk that meets all others,
+//     has the cone over the arcs, or a triangle or two;
+//   - another one belongs to the body of its middle, but for layers at its faces: over each piece
+//   of
+//     another body a sheet, and over each arc between two such bodies a wall. Each sheet is a graph
+//     over the faces, seen from the middle;
+//   - faces on the box have the regions themselves, which border on the bodies beyond.
 #pragma once
 
 #include <cstdint>
@@ -24,10 +33,10 @@ namespace deliso {
 // T_L in a box of samples.
 struct LabelComplex {
   Sheets sheets;
-  // Of each point, the simplex that holds it: its least sample's number, times kSimplices, plus the
-  // number of the simplex among those of which it is the least. Ascending.
-  std::vector<std::uint64_t> simplex;
-  static constexpr std::uint64_t kSimplices = 32;
+  // Of each point, its place in the whole: a sample's number, times kPlaces, plus the number of the
+  // edge, face or place in the voxel of which the sample is the least corner.
+  std::vector<std::uint64_t> place;
+  static constexpr std::uint64_t kPlaces = 64;
 };
 
 LabelComplex label_complex(const Partition& partition, const SampleBox& box);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What the borders of bodies must be, counted anew from the bodies of the samples alone.
+// What the borders of bodies must be, counted anew from the fields at the samples alone.
 //
-// Samples of a body span a full subcomplex S of Freudenthal's triangulation, whose edges are 7
-// steps from a sample to others of a voxel. Its region R is a regular neighborhood of S
+// The points of the lattice are the samples, the middles of faces and those of voxels. A middle
+// belongs to the body of one of its corners, with the largest mean of the fields. Each voxel is cut
+// into 24 tetrahedra, from its middle over the middles of its faces to the ends of its edges. The
+// points of a body span a full subcomplex S. Its region R is a regular neighborhood of S
 // (docs/proof.md), and so is R's part of the box's surface one of S', the simplices of S there.
 // Hence
 //   O1  R has the components of S. Around each there is one surface for each component of the other
-//       samples, and one outside of the box: the bounded ones lie within the component's own box.
+//       points, and one outside of the box: the bounded ones lie within the component's own box.
 //   O2  The closed surface of R has the Euler number 2 chi(S).
 //   O3  Of it the box's faces hold R', which has chi(R') = chi(S'); the two parts share curves,
 //       whose Euler number is 0. So the surface that ends on the box has 2 chi(S) - chi(S').
@@ -44,35 +46,15 @@
 
 namespace deliso::stress {
 
-// The steps from the least sample of a simplex to its others. A step is a set of axes, and holds
-// the one before.
-using Chain = std::vector<int>;
-
-// Returns the chains of Freudenthal's simplices: a sample, 7 edges, 12 triangles, 6 tetrahedra.
-inline const std::vector<Chain>& chains() {
-  static const std::vector<Chain> all = [] {
-    std::vector<Chain> found{{}};
-    for (std::size_t n = 0; n < found.size(); ++n) {
-      const int last = found[n].empty() ? 0 : found[n].back();
-      for (int step = last + 1; step < 8; ++step) {
-        if ((step & last) != last) continue;
-        Chain longer = found[n];
-        longer.push_back(step);
-        found.push_back(longer);
-      }
-    }
-    return found;
-  }();
-  return all;
-}
-
+// Points of the lattice are counted in half steps of the samples: a sample has even places, the
+// middle of a face two odd ones, that of a voxel three.
 class LabelOracle {
  public:
   explicit LabelOracle(const Partition& partition)
-      : dims_(partition.shape().dims()), bodies_(partition.size()) {
-    for_each_index(dims_, [&](int i, int j, int k) {
-      body_.push_back(partition.body_at({i, j, k}));
-    });
+      : dims_(partition.shape().dims() + partition.shape().voxels()), bodies_(partition.size()) {
+    for_each_index(dims_,
+                   [&](int i, int j, int k) { body_.push_back(body_at(partition, i, j, k)); });
+    make_simplices();
     count_simplices();
     add_surfaces();
     add_pieces();
@@ -86,127 +68,225 @@ class LabelOracle {
   struct Body {
     TopologyCounts closed, open;
   };
+  using Simplex = std::vector<Index3>;
 
-  std::size_t index(Index3 s) const {
-    return static_cast<std::size_t>(s.i) +
+  std::size_t index(Index3 p) const {
+    return static_cast<std::size_t>(p.i) +
            static_cast<std::size_t>(dims_.i) *
-               (static_cast<std::size_t>(s.j) +
-                static_cast<std::size_t>(dims_.j) * static_cast<std::size_t>(s.k));
+               (static_cast<std::size_t>(p.j) +
+                static_cast<std::size_t>(dims_.j) * static_cast<std::size_t>(p.k));
   }
-  bool holds(Index3 s) const {
-    return s.i >= 0 && s.j >= 0 && s.k >= 0 && s.i < dims_.i && s.j < dims_.j && s.k < dims_.k;
+  static int odd_axes(Index3 p) { return (p.i & 1) + (p.j & 1) + (p.k & 1); }
+
+  // The samples around a point of the lattice.
+  static std::vector<Index3> corners(int i, int j, int k) {
+    std::set<std::array<int, 3>> found;
+    for (int m = 0; m < 8; ++m) {
+      found.insert({(i + (m & 1)) / 2, (j + (m >> 1 & 1)) / 2, (k + (m >> 2)) / 2});
+    }
+    std::vector<Index3> samples;
+    for (const auto& [x, y, z] : found) samples.push_back({x, y, z});
+    return samples;
+  }
+  static BodyId body_at(const Partition& partition, int i, int j, int k) {
+    if (odd_axes({i, j, k}) == 1) return kNoId;  // no point
+    std::map<BodyId, long double> sums;
+    for (const Index3 s : corners(i, j, k)) sums[partition.body_at(s)] = 0;
+    BodyId best = sums.begin()->first;
+    for (auto& [body, sum] : sums) {
+      for (const Index3 s : corners(i, j, k)) sum += partition.value(body, s);
+      if (sum > sums[best]) best = body;
+    }
+    return best;
   }
 
-  // Calls visit(sample, chain) for all simplices.
-  template <class Visit>
-  void for_each_simplex(Visit&& visit) const {
+  // Of a sample's place, an edge, a face and a voxel: those that are in no part of it.
+  void make_simplices() {
     for_each_index(dims_, [&](int i, int j, int k) {
-      const Index3 s{i, j, k};
-      for (const Chain& chain : chains()) {
-        if (chain.empty() || holds(corner_of(s, chain.back()))) visit(s, chain);
+      const Index3 p{i, j, k};
+      const int odd = odd_axes(p);
+      const auto along = [](int axis, int by) {
+        Index3 step{0, 0, 0};
+        step[axis] = by;
+        return step;
+      };
+      std::vector<int> axes;
+      for (int axis = 0; axis < 3; ++axis) {
+        if ((p[axis] & 1) != 0) axes.push_back(axis);
+      }
+      if (odd != 1) simplices_.push_back({p});
+      if (odd == 1) simplices_.push_back({p + along(axes[0], -1), p + along(axes[0], 1)});
+      for (const int axis : axes) {
+        for (const int side : {-1, 1}) {
+          const Index3 from = p + along(axis, side);  // an edge's middle, or a face's
+          if (odd == 2) {
+            const int other = axes[axis == axes[0] ? 1 : 0];
+            const Index3 a = from + along(other, -1), b = from + along(other, 1);
+            simplices_.push_back({p, a, b});
+            if (axis == axes[0]) simplices_.insert(simplices_.end(), {{p, a}, {p, b}});
+          }
+          if (odd == 3) add_pyramid(p, from, axis);
+        }
+      }
+      if (odd == 3) {
+        for (int m = 0; m < 8; ++m) {
+          simplices_.push_back({p, p + Index3{2 * (m & 1) - 1, (m & 2) - 1, (m >> 1 & 2) - 1}});
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+          for (int m = 0; m < 4; ++m) {
+            const Index3 edge =
+                p + along((axis + 1) % 3, 2 * (m & 1) - 1) + along((axis + 2) % 3, (m & 2) - 1);
+            simplices_.push_back({p, edge + along(axis, -1), edge + along(axis, 1)});
+          }
+        }
       }
     });
+  }
+  // Those of a voxel's middle with the middle of a face.
+  void add_pyramid(Index3 middle, Index3 face, int axis) {
+    std::array<Index3, 4> around;
+    for (int n = 0; n < 4; ++n) {
+      around[n] = face;
+      around[n][(axis + 1) % 3] += n == 0 || n == 3 ? -1 : 1;
+      around[n][(axis + 2) % 3] += n < 2 ? -1 : 1;
+    }
+    simplices_.push_back({middle, face});
+    for (int n = 0; n < 4; ++n) {
+      simplices_.push_back({middle, face, around[n]});
+      simplices_.push_back({middle, face, around[n], around[(n + 1) % 4]});
+    }
   }
 
   // O2, O3, and of O4 the Euler number.
   void count_simplices() {
-    for_each_simplex([&](Index3 s, const Chain& chain) {
-      const BodyId body = body_[index(s)];
-      unsigned faces = outer_faces(s, dims_);
-      for (const int step : chain) {
-        const Index3 corner = corner_of(s, step);
-        if (body_[index(corner)] != body) return;
-        faces &= outer_faces(corner, dims_);
+    for (const Simplex& simplex : simplices_) {
+      const BodyId body = body_[index(simplex[0])];
+      unsigned faces = 63;
+      for (const Index3 p : simplex) {
+        faces &= outer_faces(p, dims_);
+        if (body_[index(p)] != body) faces = 64;
+        if (faces == 64) break;
       }
-      const int sign = chain.size() % 2 == 0 ? 1 : -1;
+      if (faces == 64) continue;
+      const int sign = simplex.size() % 2 != 0 ? 1 : -1;
       bodies_[body].closed.euler += 2 * sign;
       bodies_[body].open.euler += 2 * sign;
-      if (faces == 0) return;
+      if (faces == 0) continue;
       bodies_[body].open.euler -= sign;
       bodies_[body].open.boundary_loops -= static_cast<std::uint64_t>(sign);
-    });
+    }
   }
 
   // O1, and of O4 the components.
   void add_surfaces() {
     DisjointSets inside(body_.size()), on_box(body_.size());
-    for_each_simplex([&](Index3 s, const Chain& chain) {
-      if (chain.size() != 1) return;
-      const Index3 end = corner_of(s, chain[0]);
-      const auto a = static_cast<std::uint32_t>(index(s)),
-                 b = static_cast<std::uint32_t>(index(end));
-      if (body_[a] != body_[b]) return;
+    for (const Simplex& simplex : simplices_) {
+      if (simplex.size() != 2) continue;
+      const auto a = static_cast<std::uint32_t>(index(simplex[0])),
+                 b = static_cast<std::uint32_t>(index(simplex[1]));
+      if (body_[a] != body_[b]) continue;
       inside.unite(a, b);
-      if ((outer_faces(s, dims_) & outer_faces(end, dims_)) != 0) on_box.unite(a, b);
-    });
+      if ((outer_faces(simplex[0], dims_) & outer_faces(simplex[1], dims_)) != 0)
+        on_box.unite(a, b);
+    }
     std::map<std::uint32_t, SampleBox> boxes;
     for_each_index(dims_, [&](int i, int j, int k) {
-      const Index3 s{i, j, k};
-      const auto n = static_cast<std::uint32_t>(index(s));
-      if (outer_faces(s, dims_) != 0 && on_box.find(n) == n) {
+      const Index3 p{i, j, k};
+      const auto n = static_cast<std::uint32_t>(index(p));
+      if (body_[n] == kNoId) return;
+      if (outer_faces(p, dims_) != 0 && on_box.find(n) == n) {
         bodies_[body_[n]].open.boundary_loops += 2;
       }
-      const auto [at, is_new] = boxes.try_emplace(inside.find(n), SampleBox{s, s});
-      if (!is_new) at->second = united(at->second, {s, s});
+      const auto [at, is_new] = boxes.try_emplace(inside.find(n), SampleBox{p, p});
+      if (!is_new) at->second = united(at->second, {p, p});
     });
     for (const auto& [piece, box] : boxes) {
       bodies_[body_[piece]].closed.components += surfaces_around(inside, piece, box);
     }
   }
 
-  // Returns how many components the samples of others have in a component's box, and around it.
+  // Returns how many components the points of others have in a component's box, and around it:
+  // there, they are one.
   std::uint64_t surfaces_around(DisjointSets& inside, std::uint32_t piece,
                                 const SampleBox& box) const {
-    const Index3 n = box.dims() + Index3{2, 2, 2};
-    const auto number = [&](Index3 s) {
-      return static_cast<std::uint32_t>(s.i + n.i * (s.j + n.j * s.k));
-    };
+    SampleBox around = box;
+    for (int axis = 0; axis < 3; ++axis) {
+      around.begin[axis] = std::max(0, box.begin[axis] - 2);
+      around.end[axis] = std::min(dims_[axis] - 1, box.end[axis] + 2);
+    }
+    const Index3 n = around.dims();
+    const auto outside = static_cast<std::uint32_t>(std::size_t(n.i) * n.j * n.k);
     std::vector<std::uint8_t> is_other;
+    DisjointSets others(outside + std::size_t{1});
     for_each_index(n, [&](int i, int j, int k) {
-      const Index3 s{i - 1 + box.begin.i, j - 1 + box.begin.j, k - 1 + box.begin.k};
-      is_other.push_back(!holds(s) || inside.find(static_cast<std::uint32_t>(index(s))) != piece);
+      const std::size_t at = index(around.begin + Index3{i, j, k});
+      const auto own = static_cast<std::uint32_t>(is_other.size());
+      is_other.push_back(body_[at] != kNoId &&
+                         inside.find(static_cast<std::uint32_t>(at)) != piece);
+      if (is_other[own] && outer_faces({i, j, k}, n) != 0) others.unite(own, outside);
     });
-    DisjointSets others(is_other.size());
+    const auto unite = [&](Index3 a, Index3 b) {
+      const auto number = [&](Index3 p) {
+        return static_cast<std::uint32_t>(p.i + n.i * (p.j + n.j * p.k));
+      };
+      for (const Index3 p : {a, b}) {
+        if (p.i < 0 || p.j < 0 || p.k < 0 || p.i >= n.i || p.j >= n.j || p.k >= n.k) return;
+      }
+      if (is_other[number(a)] && is_other[number(b)]) others.unite(number(a), number(b));
+    };
     for_each_index(n, [&](int i, int j, int k) {
-      for (int step = 1; step < 8; ++step) {
-        const Index3 s{i, j, k}, end = corner_of(s, step);
-        if (end.i == n.i || end.j == n.j || end.k == n.k) continue;
-        if (is_other[number(s)] && is_other[number(end)]) others.unite(number(s), number(end));
+      const Index3 p{i, j, k}, at = p + around.begin;
+      for (int axis = 0; axis < 3; ++axis) {
+        Index3 step{0, 0, 0};
+        step[axis] = odd_axes(at) == 3 || (odd_axes(at) == 2 && (at[axis] & 1) == 0) ? 1 : 2;
+        if (odd_axes(at) == 0 || step[axis] == 1) unite(p, p + step);
+      }
+      if (odd_axes(at) < 2) return;
+      for (int m = 0; m < 8; ++m) {
+        Index3 end = p;
+        for (int axis = 0; axis < 3; ++axis) {
+          if ((at[axis] & 1) != 0) end[axis] += (m >> axis & 1) != 0 ? 1 : -1;
+        }
+        unite(p, end);
       }
     });
-    std::uint64_t count = 0;
-    for (std::uint32_t s = 0; s < is_other.size(); ++s) count += is_other[s] && others.find(s) == s;
+    std::uint64_t count = others.find(outside) == outside;
+    for (std::uint32_t p = 0; p < is_other.size(); ++p) count += is_other[p] && others.find(p) == p;
     return count;
   }
 
-  // O5. An edge has the number of its least sample, times 8, plus its step.
+  // O5. An edge between two bodies is in the border of each: two nodes.
   void add_pieces() {
-    for (BodyId body = 0; body < bodies_.size(); ++body) {
-      DisjointSets edges(8 * body_.size());
-      std::set<std::uint32_t> at_border;
-      for_each_simplex([&](Index3 s, const Chain& chain) {
-        if (chain.size() != 2) return;
-        const Index3 corner[] = {s, corner_of(s, chain[0]), corner_of(s, chain[1])};
-        const int step[] = {chain[0], chain[1], chain[0] ^ chain[1]};
-        std::vector<std::uint32_t> passed;
-        for (int n = 0; n < 3; ++n) {  // edges 01, 02, 12
-          const Index3 &a = corner[n / 2], &b = corner[n == 0 ? 1 : 2];
-          if ((body_[index(a)] == body) == (body_[index(b)] == body)) continue;
-          passed.push_back(static_cast<std::uint32_t>(8 * index(a)) +
-                           static_cast<std::uint32_t>(step[n]));
-        }
-        if (passed.empty()) return;
-        edges.unite(passed[0], passed[1]);
-        at_border.insert(passed.begin(), passed.end());
-      });
-      for (const std::uint32_t edge : at_border) {
-        bodies_[body].open.components += edges.find(edge) == edge;
+    std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> edges;
+    std::vector<BodyId> of_node;
+    for (const Simplex& simplex : simplices_) {
+      if (simplex.size() != 2) continue;
+      const std::size_t a = index(simplex[0]), b = index(simplex[1]);
+      if (body_[a] == body_[b]) continue;
+      edges[std::minmax(a, b)] = static_cast<std::uint32_t>(of_node.size());
+      of_node.insert(of_node.end(), {body_[std::min(a, b)], body_[std::max(a, b)]});
+    }
+    DisjointSets nodes(of_node.size());
+    for (const Simplex& simplex : simplices_) {
+      if (simplex.size() != 3) continue;
+      std::map<BodyId, std::vector<std::uint32_t>> passed;
+      for (int n = 0; n < 3; ++n) {
+        const std::size_t a = index(simplex[n]), b = index(simplex[(n + 1) % 3]);
+        if (body_[a] == body_[b]) continue;
+        const std::uint32_t node = edges.at(std::minmax(a, b));
+        passed[of_node[node]].push_back(node);
+        passed[of_node[node + 1]].push_back(node + 1);
       }
+      for (const auto& [body, of] : passed) nodes.unite(of.front(), of.back());
+    }
+    for (std::uint32_t node = 0; node < of_node.size(); ++node) {
+      bodies_[of_node[node]].open.components += nodes.find(node) == node;
     }
   }
 
   Index3 dims_;
-  std::vector<BodyId> body_;  // per sample
+  std::vector<BodyId> body_;  // per point; kNoId: there is none
+  std::vector<Simplex> simplices_;
   std::vector<Body> bodies_;
 };
 
@@ -506,13 +586,13 @@ inline std::string complex_fault(const Partition& partition, const LabelOracle& 
   std::map<std::uint64_t, Vec3> place, place_in_blocks;
   std::set<SimplexFacet> facets, facets_in_blocks;
   const auto add = [](const LabelComplex& complex, auto& places, auto& found) {
-    for (std::size_t v = 0; v < complex.simplex.size(); ++v) {
+    for (std::size_t v = 0; v < complex.place.size(); ++v) {
       const Vec3& p = complex.sheets.points[v];
-      if (places.try_emplace(complex.simplex[v], p).first->second != p) return false;
+      if (places.try_emplace(complex.place[v], p).first->second != p) return false;
     }
     for (const auto& facet : complex.sheets.facets) {
       std::array<std::uint64_t, 3> at;
-      for (std::size_t i = 0; i < 3; ++i) at[i] = complex.simplex[facet.v[i]];
+      for (std::size_t i = 0; i < 3; ++i) at[i] = complex.place[facet.v[i]];
       std::rotate(at.begin(), std::ranges::min_element(at), at.end());
       if (!found.insert({at, facet.bodies}).second) return false;
     }
