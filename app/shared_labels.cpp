@@ -50,9 +50,16 @@ SurfaceEstimate estimate_interfaces(std::span<const Volume> fields) {
   return all;
 }
 
-// Makes the labels' weighted indicators and returns them. Fills in the labels' weights, and
-// seconds.
-std::vector<Volume> make_fields(SharedRun& run, Progress& progress) {
+// Returns the body of label 0; kNoId if there is none.
+BodyId background_of(std::span<const SharedLabel> labels) {
+  for (BodyId body = 0; body < labels.size(); ++body) {
+    if (labels[body].label.label == 0) return body;
+  }
+  return kNoId;
+}
+
+// Divides space by the labels' weighted indicators. Fills in the labels' weights, and seconds.
+Partition make_partition(SharedRun& run, Progress& progress) {
   const CommandLine& line = run.line;
   const Volume volume = run.input.volume();
   const Stopwatch watch;
@@ -70,16 +77,11 @@ std::vector<Volume> make_fields(SharedRun& run, Progress& progress) {
     all.push_back(fields.weighted(l.label.label));
     l.seconds = one.seconds();
   }
+  warn_of_size(expected_vertices(estimate_interfaces(all), volume, line.options), run.notes);
+  Partition partition(volume, std::move(all), background_of(run.labels), line.options.threads,
+                      fields.kept());
   run.input.field.seconds = watch.seconds();
-  return all;
-}
-
-// Returns the body of label 0; kNoId if there is none.
-BodyId background_of(std::span<const SharedLabel> labels) {
-  for (BodyId body = 0; body < labels.size(); ++body) {
-    if (labels[body].label.label == 0) return body;
-  }
-  return kNoId;
+  return partition;
 }
 
 // Warns of each label without a sample where its field is the largest.
@@ -162,11 +164,7 @@ void mesh_labels(SharedRun& run, Progress& progress) {
   const CommandLine& line = run.line;
   const Grid& volume = run.input.grid();
   require_limits(line.options, volume);
-  std::vector<Volume> fields = make_fields(run, progress);
-  warn_of_size(expected_vertices(estimate_interfaces(fields), volume, line.options), run.notes);
-  progress.tell(run.notes);
-  const Partition partition(volume, std::move(fields), background_of(run.labels),
-                            line.options.threads);
+  const Partition partition = make_partition(run, progress);
   find_vanished(run, partition);
   progress.tell(run.notes);
   Options options = line.options;

@@ -17,6 +17,14 @@
 // the weight of a ball. So cells that fill a block without a background keep their volumes, too.
 // Where only two labels meet, w_L s_L = w_M s_M is s_L = w_M / (w_L + w_M), an isovalue of the
 // indicator.
+//
+// What is weighed are the parts of labels (io/filter/label_parts.h), each against those of other
+// labels; w_L s_L is the largest of its parts' there. Labels of one size are weighed alike, and all
+// sums are the same in a mirrored volume, up to what rounds to one weight. Beyond the box the
+// outermost samples go on, also where volumes are measured.
+//
+// Without a median each sample stays with its label: there f_L is at least a fifth of the largest
+// other.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +32,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/filter/label_parts.h"
 #include "io/filter/segmentation.h"
 #include "volume/volume.h"
 
@@ -34,6 +43,9 @@ struct IndicatorFilter {
   int median = 0;
   Vec3 sigma{};
 };
+
+// How far a sample's own label is ahead there, at least, as a share of the largest other.
+inline constexpr float kAhead = 0.2F;
 
 class LabelFields {
  public:
@@ -53,28 +65,37 @@ class LabelFields {
   // Returns w_L s_L in float32, as a block of the volume in the same box: it is 0 beyond.
   Volume weighted(std::int64_t label);
 
+  // Returns per sample the place of its label among all; nothing with a median.
+  std::vector<std::uint32_t> kept() const;
+
  private:
   struct Rivals;
-  // The labels that are compared with one: all, with their weights; the larger ones; or all, where
-  // smaller ones have the weight of a ball.
+  // The parts that are compared with one: all of other labels, with their weights; the larger ones;
+  // or all, where others have the weight of a ball.
   enum class Others : std::uint8_t { all, larger, guessed };
 
   std::size_t index_of(std::int64_t label) const;
+  std::vector<std::size_t> parts_of(std::size_t label) const;
   bool is_larger(std::size_t m, std::size_t n) const;
   SampleExtent box(const LabelSamples& of, int times) const;
-  Volume smoothed(std::size_t n, const SampleExtent& box) const;
-  std::vector<LabelSamples> near(std::size_t n) const;
-  Rivals rivals(std::size_t n, Others others) const;
-  double weight_of_ball(std::size_t n) const;
+  Volume smoothed(std::size_t part, const SampleExtent& box) const;
+  std::vector<LabelSamples> near(std::size_t part) const;
+  Rivals rivals(std::size_t part, Others others) const;
+  double weight_of_ball(std::size_t part) const;
   void weigh(std::vector<std::uint8_t> wanted);
+  SampleExtent box_of_label(std::size_t label) const;
+  template <class Value>
+  std::vector<float> largest_of_parts(std::size_t label, const SampleExtent& within, float none,
+                                      Value&& value) const;
 
-  Segmentation samples_;
+  Grid grid_;
   std::vector<LabelSamples> labels_;
   std::vector<std::int64_t> united_;
   IndicatorFilter filter_;
   Index3 reach_;  // of the filter, in samples
   std::string_view name_;
   int threads_;
+  LabelParts parts_;
 };
 
 // Returns the volume of {f >= 0} in voxels, found from 64 points of each.

@@ -157,17 +157,51 @@ class Complex {
   int diagonal_of(int face) const {
     const std::array<int, 4> c = face_corners(face);
     const std::array<BodyId, 4> bodies = bodies_of(face);
+    if (bodies[0] == bodies[2] && bodies[1] != bodies[3]) return 0;
+    if (bodies[1] == bodies[3] && bodies[0] != bodies[2]) return 1;
     const BodyId middle = largest(bodies, [&](BodyId b) {
       const Corners& f = field(b);
       return sum_around(f[c[0]], f[c[1]], f[c[2]], f[c[3]]);
     });
     return bodies[0] == middle || bodies[2] == middle ? 0 : 1;
   }
+  // A body that keeps others apart on the voxel's surface does so within, if there is one; else the
+  // one with the largest mean.
   BodyId body_of_middle() const {
-    return largest(names_, [&](BodyId b) {
+    std::vector<BodyId> bodies;
+    for (const BodyId b : names_) {
+      if (keeps_apart(b)) bodies.push_back(b);
+    }
+    if (bodies.empty()) bodies = names_;
+    return largest(bodies, [&](BodyId b) {
       const Corners& f = field(b);
       return sum_around(f[0] + f[7], f[1] + f[6], f[3] + f[4], f[2] + f[5]);
     });
+  }
+  // True if what others have of the surface is in pieces, not all with the same bodies.
+  bool keeps_apart(BodyId body) const {
+    DisjointSets pieces(8);
+    const auto join = [&](int a, int b) {
+      if (body_[a] != body && body_[b] != body) pieces.unite(a, b);
+    };
+    for (int m = 0; m < 8; ++m) {
+      for (int axis = 0; axis < 3; ++axis) join(m, m | 1 << axis);
+    }
+    for (int face = 0; face < 6; ++face) {
+      const int d = faces_[face].diagonal();
+      if (d >= 0) join(face_corners(face)[d], face_corners(face)[d + 2]);
+    }
+    std::array<std::uint64_t, 8> bodies{};
+    for (int m = 0; m < 8; ++m) {
+      const auto name = std::ranges::find(names_, body_[m]) - names_.begin();
+      if (body_[m] != body) bodies[pieces.find(m)] |= std::uint64_t{1} << name;
+    }
+    std::uint64_t first = 0;
+    for (const std::uint64_t of : bodies) {
+      if (of != 0 && first != 0 && of != first) return true;
+      if (of != 0) first = of;
+    }
+    return false;
   }
 
   // True if each body has one piece on the voxel's surface, a disk, and meets each other there.

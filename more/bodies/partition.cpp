@@ -10,6 +10,8 @@
 namespace deliso {
 namespace {
 
+// The field of the body that a sample keeps is at least this many times the largest other.
+constexpr float kAhead = 1.2F;
 // How far the border at a face of the box lies within it, in samples: none of it lies beyond.
 constexpr float kWithin = 1e-6F;
 
@@ -23,34 +25,85 @@ bool is_in(const Volume& block, Index3 sample) {
 
 }  // namespace
 
-Partition::Partition(const Grid& shape, std::vector<Volume> fields, BodyId background, int threads)
+Partition::Partition(const Grid& shape, std::vector<Volume> fields, BodyId background, int threads,
+                     std::span<const BodyId> kept)
     : shape_(shape),
       fields_(std::move(fields)),
       background_(background),
       body_(shape.sample_count(), 0) {
+  if (!kept.empty()) keep(kept, threads);
   const Index3 n = shape.dims();
   for_each_task(threads, static_cast<std::size_t>(n.k), [&](std::size_t slice) {
-    const int k = static_cast<int>(slice);
     std::vector<float> most(static_cast<std::size_t>(n.i) * static_cast<std::size_t>(n.j), 0);
-    for (BodyId body = 0; body < size(); ++body) {
-      const Volume& f = fields_[body];
-      const Index3 first = f.first(), dims = f.dims();
-      if (k < first.k || k >= first.k + dims.k) continue;
-      f.visit([&](const auto* values) {
-        for (int j = 0; j < dims.j; ++j) {
-          const auto* row = values + f.index(0, j, k - first.k);
-          const std::size_t at = shape_.index(first.i, first.j + j, k);
-          float* best = &most[shape_.index(first.i, first.j + j, 0)];
-          for (int i = 0; i < dims.i; ++i) {
-            const auto value = static_cast<float>(row[i]);
-            if (value > best[i]) {
-              best[i] = value;
-              body_[at + static_cast<std::size_t>(i)] = body;
-            }
-          }
+    for_each_value(static_cast<int>(slice),
+                   [&](BodyId body, std::size_t at, std::size_t in_slice, float value) {
+                     if (value > most[in_slice]) {
+                       most[in_slice] = value;
+                       body_[at] = body;
+                     }
+                   });
+  });
+}
+
+// Calls visit(body, sample's number, that in its slice, value) for all bodies whose blocks have
+// samples in slice k, in the order of the bodies.
+template <class Visit>
+void Partition::for_each_value(int k, Visit&& visit) const {
+  for (BodyId body = 0; body < size(); ++body) {
+    const Volume& f = fields_[body];
+    const Index3 first = f.first(), dims = f.dims();
+    if (k < first.k || k >= first.k + dims.k) continue;
+    f.visit([&](const auto* values) {
+      for (int j = 0; j < dims.j; ++j) {
+        const auto* row = values + f.index(0, j, k - first.k);
+        const std::size_t at = shape_.index(first.i, first.j + j, k),
+                          in_slice = shape_.index(first.i, first.j + j, 0);
+        for (int i = 0; i < dims.i; ++i) {
+          visit(body, at + static_cast<std::size_t>(i), in_slice + static_cast<std::size_t>(i),
+                static_cast<float>(row[i]));
         }
-      });
+      }
+    });
+  }
+}
+
+// Raises fields.
+void Partition::keep(std::span<const BodyId> kept, int threads) {
+  struct Raised {
+    std::size_t sample;
+    float value;
+  };
+  const Index3 n = shape_.dims();
+  std::vector<std::vector<Raised>> of_slice(static_cast<std::size_t>(n.k));
+  for_each_task(threads, of_slice.size(), [&](std::size_t slice) {
+    const std::size_t samples = static_cast<std::size_t>(n.i) * static_cast<std::size_t>(n.j);
+    std::vector<float> own(samples, 0), others(samples, 0);
+    for_each_value(static_cast<int>(slice),
+                   [&](BodyId body, std::size_t at, std::size_t in_slice, float value) {
+                     float& most = body == kept[at] ? own[in_slice] : others[in_slice];
+                     most = std::max(most, value);
+                   });
+    for (std::size_t at = 0; at < samples; ++at) {
+      if (own[at] < kAhead * others[at]) {
+        of_slice[slice].push_back({slice * samples + at, kAhead * others[at]});
+      }
     }
+  });
+  std::vector<std::vector<Raised>> of_body(size());
+  for (const std::vector<Raised>& raised : of_slice) {
+    for (const Raised& r : raised) of_body[kept[r.sample]].push_back(r);
+  }
+  for_each_task(threads, size(), [&](std::size_t body) {
+    if (of_body[body].empty()) return;
+    Volume& f = fields_[body];
+    std::vector<float> values;
+    f.visit([&](const auto* from) { values.assign(from, from + f.sample_count()); });
+    for (const Raised& r : of_body[body]) {
+      const auto at = static_cast<int>(r.sample % static_cast<std::size_t>(n.i)),
+                 row = static_cast<int>(r.sample / static_cast<std::size_t>(n.i));
+      values[f.index(at - f.first().i, row % n.j - f.first().j, row / n.j - f.first().k)] = r.value;
+    }
+    f = Volume::from_samples(f, values);
   });
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Space divided among bodies. Each has a field, and a point belongs to the body with the largest
-// one: of equal ones to that with the smaller number. Beyond the box of samples lie six more
-// bodies, one behind each face, so that every body is bounded.
+// one: of equal ones to that with the smaller number. A body may be given for each sample: where
+// its field is not the largest there by a margin, it is raised to that. Beyond the box of samples
+// lie six more bodies, one behind each face, so that every body is bounded.
 #pragma once
 
 #include <array>
@@ -24,8 +25,10 @@ class Partition {
  public:
   // `shape`: of the whole; its samples are not read. The field of a body is a block of it, in
   // float32. It is not negative, and 0 beyond the block. `background`: a body that has no caps, and
-  // is in front of all others; kNoId: none.
-  Partition(const Grid& shape, std::vector<Volume> fields, BodyId background, int threads);
+  // is in front of all others; kNoId: none. `kept`: the
+  // body of each sample, in whose field's block it is; empty: the fields say it.
+  Partition(const Grid& shape, std::vector<Volume> fields, BodyId background, int threads,
+            std::span<const BodyId> kept = {});
 
   std::size_t size() const { return fields_.size(); }  // bodies
   const Grid& shape() const { return shape_; }
@@ -56,6 +59,10 @@ class Partition {
                                   unsigned faces) const;
 
  private:
+  template <class Visit>
+  void for_each_value(int k, Visit&& visit) const;
+  void keep(std::span<const BodyId> kept, int threads);
+
   Grid shape_;
   std::vector<Volume> fields_;
   BodyId background_;

@@ -52,8 +52,16 @@ class LabelOracle {
  public:
   explicit LabelOracle(const Partition& partition)
       : dims_(partition.shape().dims() + partition.shape().voxels()), bodies_(partition.size()) {
-    for_each_index(dims_,
-                   [&](int i, int j, int k) { body_.push_back(body_at(partition, i, j, k)); });
+    for_each_index(dims_, [&](int i, int j, int k) {
+      const int odd = odd_axes({i, j, k});
+      body_.push_back(odd == 0   ? partition.body_at({i / 2, j / 2, k / 2})
+                      : odd == 2 ? body_of_face(partition, {i, j, k})
+                                 : kNoId);
+    });
+    for_each_index(dims_, [&](int i, int j, int k) {
+      if (odd_axes({i, j, k}) != 3) return;
+      body_[index({i, j, k})] = body_of_voxel(partition, {i, j, k});
+    });
     make_simplices();
     count_simplices();
     add_surfaces();
@@ -88,16 +96,65 @@ class LabelOracle {
     for (const auto& [x, y, z] : found) samples.push_back({x, y, z});
     return samples;
   }
-  static BodyId body_at(const Partition& partition, int i, int j, int k) {
-    if (odd_axes({i, j, k}) == 1) return kNoId;  // no point
+  // Of some bodies, the one with the largest mean at the samples around a point.
+  static BodyId with_largest_mean(const Partition& partition, const std::set<BodyId>& bodies,
+                                  Index3 p) {
     std::map<BodyId, long double> sums;
-    for (const Index3 s : corners(i, j, k)) sums[partition.body_at(s)] = 0;
-    BodyId best = sums.begin()->first;
-    for (auto& [body, sum] : sums) {
-      for (const Index3 s : corners(i, j, k)) sum += partition.value(body, s);
+    for (const BodyId body : bodies) {
+      for (const Index3 s : corners(p.i, p.j, p.k)) sums[body] += partition.value(body, s);
+    }
+    BodyId best = *bodies.begin();
+    for (const auto& [body, sum] : sums) {
       if (sum > sums[best]) best = body;
     }
     return best;
+  }
+  static BodyId body_of_face(const Partition& partition, Index3 p) {
+    const int u = (p.i & 1) != 0 ? 0 : 1, v = (p.k & 1) != 0 ? 2 : 1;  // the odd axes
+    std::array<BodyId, 4> around{};
+    for (int n = 0; n < 4; ++n) {
+      Index3 at = p;
+      at[u] += n == 0 || n == 3 ? -1 : 1;
+      at[v] += n < 2 ? -1 : 1;
+      around[n] = partition.body_at({at.i / 2, at.j / 2, at.k / 2});
+    }
+    const bool is_even_one = around[0] == around[2], is_odd_one = around[1] == around[3];
+    if (is_even_one != is_odd_one) return around[is_even_one ? 0 : 1];
+    return with_largest_mean(partition, {around.begin(), around.end()}, p);
+  }
+  // The points on a voxel's surface without those of a body are in pieces; it keeps others apart if
+  // two of them have different bodies.
+  BodyId body_of_voxel(const Partition& partition, Index3 p) const {
+    std::vector<Index3> around;
+    for_each_index({3, 3, 3}, [&](int i, int j, int k) {
+      const Index3 at = p + Index3{i - 1, j - 1, k - 1};
+      if (odd_axes(at) == 0 || odd_axes(at) == 2) around.push_back(at);
+    });
+    std::set<BodyId> bodies, apart;
+    for (const Index3 at : around) bodies.insert(body_[index(at)]);
+    for (const BodyId body : bodies) {
+      DisjointSets pieces(around.size());
+      for (std::uint32_t a = 0; a < around.size(); ++a) {
+        for (std::uint32_t b = 0; b < a; ++b) {
+          const Index3 &s = around[a], &t = around[b];
+          const int apart_by = std::abs(s.i - t.i) + std::abs(s.j - t.j) + std::abs(s.k - t.k);
+          const bool is_edge = odd_axes(s) == odd_axes(t)
+                                   ? odd_axes(s) == 0 && apart_by == 2 &&
+                                         (s.i == t.i) + (s.j == t.j) + (s.k == t.k) == 2
+                                   : apart_by == 2;
+          if (is_edge && body_[index(s)] != body && body_[index(t)] != body) pieces.unite(a, b);
+        }
+      }
+      std::map<std::uint32_t, std::set<BodyId>> of_piece;
+      for (std::uint32_t a = 0; a < around.size(); ++a) {
+        const BodyId here = body_[index(around[a])];
+        if (here != body) of_piece[pieces.find(a)].insert(here);
+      }
+      for (const auto& [piece, of] : of_piece) {
+        if (of != of_piece.begin()->second) apart.insert(body);
+      }
+    }
+    return with_largest_mean(partition, apart.empty() ? bodies : apart, p);
   }
 
   // Of a sample's place, an edge, a face and a voxel: those that are in no part of it.

@@ -271,7 +271,7 @@ inline Partition partition_of(const LabelVolume& labels, int threads = 1) {
     if (l.label == 0) background = static_cast<BodyId>(fields.size());
     fields.push_back(all.weighted(l.label));
   }
-  return Partition(volume, std::move(fields), background, threads);
+  return Partition(volume, std::move(fields), background, threads, all.kept());
 }
 
 }  // namespace deliso::stress

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "io/filter/label_parts.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "base/disjoint_sets.h"
+#include "base/parallel.h"
+
+namespace deliso {
+namespace {
+
+// A body's box may have this many samples, and as many more for each of its own: all boxes together
+// take time in proportion to the volume.
+constexpr std::uint64_t kMostInBox = 1000, kMostPerSample = 64;
+
+Grid with_margin(const Grid& grid, Index3 margin) {
+  Coordinates places = grid.all_places();
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double>& at = places[axis];
+    if (at.empty()) continue;
+    const double before = at[1] - at[0], after = at.back() - at[at.size() - 2];
+    std::vector<double> more;
+    for (int n = 0; n < margin[axis]; ++n) more.push_back(n * before);
+    for (const double x : at) more.push_back(x + margin[axis] * before);
+    for (int n = 0; n < margin[axis]; ++n) more.push_back(more.back() + after);
+    at = std::move(more);
+  }
+  return Grid(grid.dims() + margin + margin, grid.spacing(), SampleType::u32)
+      .with_places(std::move(places), "volume");
+}
+
+// Returns per sample the place of its label, in the larger box.
+std::vector<std::uint32_t> places_of_labels(const Segmentation& of,
+                                            std::span<const LabelSamples> labels,
+                                            std::span<const std::int64_t> united, const Grid& grid,
+                                            Index3 margin, int threads) {
+  const auto place = [&](std::int64_t label) {
+    if (std::ranges::find(united, label) != united.end()) label = united.front();
+    return static_cast<std::uint32_t>(
+        std::ranges::lower_bound(labels, label, {}, &LabelSamples::label) - labels.begin());
+  };
+  const Index3 n = grid.dims(), last = of.volume.voxels();
+  std::vector<std::uint32_t> places(grid.sample_count());
+  of.volume.visit([&](const auto* samples) {
+    for_each_task(threads, static_cast<std::size_t>(n.k), [&](std::size_t slice) {
+      const int k = static_cast<int>(slice), k_in = std::clamp(k - margin.k, 0, last.k);
+      for (int j = 0; j < n.j; ++j) {
+        const auto* row = samples + of.volume.index(0, std::clamp(j - margin.j, 0, last.j), k_in);
+        std::uint32_t* to = &places[grid.index(0, j, k)];
+        for (int i = 0; i < n.i; ++i) {
+          const int from = std::clamp(i - margin.i, 0, last.i);
+          if (i > 0 && row[from] == row[std::max(0, std::min(from, i - 1 - margin.i))]) {
+            to[i] = to[i - 1];
+          } else {
+            const auto value = static_cast<std::int64_t>(row[from]);
+            to[i] = place(of.ids.empty() ? value : of.ids[static_cast<std::size_t>(value)]);
+          }
+        }
+      }
+    });
+  });
+  return places;
+}
+
+// Joins samples of one label that are neighbors by faces, edges or corners.
+DisjointSets bodies_of(const std::vector<std::uint32_t>& places, const Grid& grid) {
+  const Index3 n = grid.dims();
+  DisjointSets bodies(places.size());
+  for (int k = 0; k < n.k; ++k) {
+    for (int j = 0; j < n.j; ++j) {
+      for (int i = 0; i < n.i; ++i) {
+        const Index3 at{i, j, k};
+        const auto own = static_cast<std::uint32_t>(grid.index(i, j, k));
+        const auto join = [&](Index3 step) {
+          const Index3 to = at + step;
+          if (to.i < 0 || to.j < 0 || to.i == n.i || to.j == n.j || to.k == n.k) return false;
+          const auto other = static_cast<std::uint32_t>(grid.index(to.i, to.j, to.k));
+          if (places[own] != places[other]) return false;
+          bodies.unite(own, other);
+          return true;
+        };
+        // A neighbor across a face joins all that lie beyond it, in its turn.
+        const bool x = join({1, 0, 0}), y = join({0, 1, 0}), z = join({0, 0, 1});
+        const bool x_low = i > 0 && places[own] == places[own - 1];
+        const bool y_low = j > 0 && places[own] == places[own - static_cast<std::size_t>(n.i)];
+        if (!x && !y) join({1, 1, 0});
+        if (!x_low && !y) join({-1, 1, 0});
+        if (z) continue;
+        if (!x) join({1, 0, 1});
+        if (!x_low) join({-1, 0, 1});
+        if (!y) join({0, 1, 1});
+        if (!y_low) join({0, -1, 1});
+        if (!x && !y) join({1, 1, 1});
+        if (!x_low && !y) join({-1, 1, 1});
+        if (!x && !y_low) join({1, -1, 1});
+        if (!x_low && !y_low) join({-1, -1, 1});
+      }
+    }
+  }
+  return bodies;
+}
+
+}  // namespace
+
+LabelParts find_parts(const Segmentation& samples, std::span<const LabelSamples> labels,
+                      std::span<const std::int64_t> united, Index3 margin, std::string_view name,
+                      int threads) {
+  const Grid grid = with_margin(samples.volume, margin);
+  std::vector<std::uint32_t> part =
+      places_of_labels(samples, labels, united, grid, margin, threads);
+  DisjointSets bodies = bodies_of(part, grid);
+  std::vector<std::uint32_t> body = bodies.take_numbers();
+  std::vector<std::size_t> label_of(labels.size());
+  for (std::size_t n = 0; n < labels.size(); ++n) label_of[n] = n;
+  // Of each body: its samples, its box, its label, and in the end its part.
+  struct Body {
+    std::uint64_t samples = 0;
+    Index3 first{1 << 30, 1 << 30, 1 << 30}, last{0, 0, 0};
+    std::uint32_t label = 0, part = 0;
+  };
+  std::vector<Body> all;
+  const Index3 n = grid.dims();
+  for (int k = 0; k < n.k; ++k) {
+    for (int j = 0; j < n.j; ++j) {
+      for (int i = 0; i < n.i; ++i) {
+        const std::size_t at = grid.index(i, j, k);
+        if (body[at] == all.size()) all.emplace_back();
+        Body& own = all[body[at]];
+        ++own.samples;
+        own.label = part[at];
+        const Index3 here{i, j, k};
+        for (int axis = 0; axis < 3; ++axis) {
+          own.first[axis] = std::min(own.first[axis], here[axis]);
+          own.last[axis] = std::max(own.last[axis], here[axis]);
+        }
+      }
+    }
+  }
+  std::vector<std::uint64_t> largest(labels.size());
+  for (const Body& b : all) largest[b.label] = std::max(largest[b.label], b.samples);
+  for (Body& b : all) {
+    b.part = b.label;
+    const Index3 d = SampleExtent{b.first, b.last}.dims();
+    const std::uint64_t box = std::uint64_t(d.i) * d.j * d.k;
+    if (b.samples == largest[b.label] || box > kMostInBox + kMostPerSample * b.samples) continue;
+    b.part = static_cast<std::uint32_t>(label_of.size());
+    label_of.push_back(b.label);
+  }
+  for (std::size_t at = 0; at < part.size(); ++at) part[at] = all[body[at]].part;
+  const Volume of_sample = Volume::from_samples(grid, part);
+  return {of_sample, margin, find_labels(of_sample, name, threads), std::move(label_of)};
+}
+
+}  // namespace deliso
