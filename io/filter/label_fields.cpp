@@ -23,18 +23,18 @@ constexpr double kLargestWeight = 1e9;  // a Gaussian of kLargestSigma spreads a
 constexpr float kLeastRival = 1e-30F;   // less than any weighted indicator
 constexpr int kMostMargin = 16;         // samples beyond the box; those further on are reflected
 
-// The points of a voxel at which a field is measured: eight in an octant, and their mirror images.
-// Along each axis they have 16 places (Korobov 1959): surfaces of labels are often in planes of the
-// grid, where 4 x 4 x 4 points have 4. Each row has the shares of the eight corners.
-constexpr int kPointsOfVoxel = 64;
+// The points of a voxel at which a field is measured: 16 in an octant, and their mirror images.
+// Along each axis they have 32 places (Korobov 1959): surfaces of labels are often in planes of the
+// grid, where 5 x 5 x 5 points have 5. Each row has the shares of the eight corners.
+constexpr int kPointsOfOctant = 16, kPointsOfVoxel = 8 * kPointsOfOctant;
 constexpr auto kShares = [] {
   std::array<std::array<double, 8>, kPointsOfVoxel> shares{};
   for (int n = 0; n < kPointsOfVoxel; ++n) {
     const auto at = [n](int step, int axis) {
-      const double x = ((n >> 3) * step % 8 + 0.5) / 16;
+      const double x = ((n >> 3) * step % kPointsOfOctant + 0.5) / (2 * kPointsOfOctant);
       return (n >> axis & 1) != 0 ? 1 - x : x;
     };
-    const std::array<double, 3> p{at(1, 0), at(3, 1), at(5, 2)};
+    const std::array<double, 3> p{at(3, 0), at(5, 1), at(7, 2)};
     for (int m = 0; m < 8; ++m) {
       double share = 1;
       for (int axis = 0; axis < 3; ++axis) share *= (m >> axis & 1) != 0 ? p[axis] : 1 - p[axis];
@@ -500,10 +500,10 @@ double inside_volume(const Volume& field, int threads) {
            for (int i = 0; i < field.voxels().i; ++i) {
              const Corners c = field.corners({i, j, k});
              const auto [least, most] = std::ranges::minmax(c);
-             // Near the surface a point counts in part: it stands for a sixteenth along each axis.
+             // Near the surface a point counts in part: it stands for a 32nd along each axis.
              double inside = least >= 0 ? kPointsOfVoxel : 0;
              for (int n = 0; n < kPointsOfVoxel && least < 0 && most >= 0; ++n) {
-               inside += std::clamp(0.5 + 16 * value_at(c, n) / (most - least), 0.0, 1.0);
+               inside += std::clamp(0.5 + (2 * kPointsOfOctant) * value_at(c, n) / (most - least), 0.0, 1.0);
              }
              sum += inside * field.share_of({i, j, k});
            }

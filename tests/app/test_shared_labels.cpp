@@ -267,7 +267,9 @@ TEST_CASE("the report of common surfaces: topology, borders, caps, and a number 
           (l.label.label == 2 ? TopologyCounts{2, 4, 0} : TopologyCounts{1, 2, 0}));  // 3 is in 2
     CHECK(l.mesh == l.exact);
     REQUIRE(l.mesh_volume.has_value());
-    CHECK(*l.mesh_volume == doctest::Approx(l.voxel_volume).epsilon(0.2));
+    // Label 3 has one voxel, and those around it keep their labels.
+    CHECK(*l.mesh_volume > (l.label.label == 3 ? 0.2 : 0.8) * l.voxel_volume);
+    CHECK(*l.mesh_volume < 1.2 * l.voxel_volume);
   }
   // The background is in front of 2 and 5, the larger label of the others; four faces are all of
   // one label and background.

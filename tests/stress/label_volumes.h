@@ -257,6 +257,24 @@ inline LabelVolume make_label_volume(std::uint64_t seed, std::uint32_t longest =
   return made;
 }
 
+inline LabelVolume mirrored(const LabelVolume& labels, int axis) {
+  const Volume& volume = labels.volume;
+  const Index3 n = volume.dims();
+  std::vector<std::int32_t> samples;
+  for (int k = 0; k < n.k; ++k) {
+    for (int j = 0; j < n.j; ++j) {
+      for (int i = 0; i < n.i; ++i) {
+        Index3 at{i, j, k};
+        at[axis] = n[axis] - 1 - at[axis];
+        samples.push_back(static_cast<std::int32_t>(volume.sample(at.i, at.j, at.k)));
+      }
+    }
+  }
+  LabelVolume other = labels;
+  other.volume = Volume::from_samples(n, volume.spacing(), samples);
+  return other;
+}
+
 // Returns the bodies of its labels, as the program has them.
 inline Partition partition_of(const LabelVolume& labels, int threads = 1) {
   const Volume& volume = labels.volume;

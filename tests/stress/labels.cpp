@@ -4,11 +4,13 @@
 //   stress_labels [--first-seed N] [--count M] [--complex] [--list]
 // The seed also says which options are on: caps, the side of a block (one block, 4, 8 or the
 // usual), a number of vertices, the distance, r_min, Stage 1 alone. Each volume is meshed in one
-// thread and in 2 and 3. It runs in a child process, and a crash or 120 s cost that one seed. With
+// thread and in 2 and 3, and the topology of its mirror images is counted. It runs in a child
+// process, and a crash or 120 s cost that one seed. With
 // --complex T_L is looked at instead of the mesh. Exit status 1 when a body's surface is no
 // manifold (closed, or open on the box), has another topology than the simplices of its samples
 // say, or than is told; when facets cross, are flat or there twice; when a vertex has left the box;
-// when a run is refused; or when the mesh is another one in more threads.
+// when a run is refused; when the mesh is another one in more threads; or when a mirror image has
+// another topology.
 //
 //   cmake --build build --target stress_labels
 //   build/tests/stress_labels --count 5000 --list
@@ -118,12 +120,28 @@ std::string fault_of_mesh(std::uint64_t seed, const Partition& partition, Verdic
   return fault;
 }
 
+// Returns in which mirror image a body has another topology; empty if in none.
+std::string fault_of_mirrors(const LabelVolume& labels, const Partition& partition) {
+  const LabelOracle own(partition);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Partition other = partition_of(mirrored(labels, axis));
+    const LabelOracle image(other);
+    for (BodyId body = 0; body < partition.size(); ++body) {
+      if (image.closed(body) == own.closed(body) && image.open(body) == own.open(body)) continue;
+      return text("mirrored along ", axis, ", body ", body, ": ", text_of(image.open(body)),
+                  ", not ", text_of(own.open(body)));
+    }
+  }
+  return {};
+}
+
 Verdict run(std::uint64_t seed, bool only_complex) {
   Verdict verdict;
   std::string fault;
   const Stopwatch watch;
   try {
-    const Partition partition = partition_of(make_label_volume(seed));
+    const LabelVolume labels = make_label_volume(seed);
+    const Partition partition = partition_of(labels);
     if (only_complex) {
       const int axis = static_cast<int>(seed % 3);
       fault = complex_fault(partition, LabelOracle(partition), axis,
@@ -131,6 +149,7 @@ Verdict run(std::uint64_t seed, bool only_complex) {
     } else {
       fault = fault_of_mesh(seed, partition, verdict);
     }
+    if (fault.empty()) fault = fault_of_mirrors(labels, partition);
   } catch (const InputError& error) {
     verdict.refused = true;
     fault = error.what();

@@ -17,7 +17,7 @@ namespace {
 
 // Five cells of a Voronoi diagram, the last of them 0, with a sheet 7 one voxel thick, and labels
 // 8, 9 and 10 of one voxel: in the sheet, in a cell, and beside that.
-constexpr Index3 kCells{26, 24, 28};
+constexpr Index3 kCells{26, 24, 28}, kWide{42, 40, 44};
 Volume cells(std::uint64_t seed) {
   Random random(seed);
   std::vector<Vec3> centers(5);
@@ -57,22 +57,22 @@ TEST_CASE("the field of a label is its weighted indicator less the largest other
   for (const IndicatorFilter filter :
        {IndicatorFilter{0, {1, 1, 1}}, IndicatorFilter{1, {1.3, 0.6, 0.9}}}) {
     const Volume volume = cells(3);
+    const bool keeps = filter.median == 0;
     LabelFields fields = fields_of(volume, filter);
     const std::vector<LabelSamples> labels = fields.weighed();
     REQUIRE(labels.size() == 9);
     std::vector<Volume> weighted;  // of the whole volume
     for (const LabelSamples& l : labels) {
-      const std::vector<std::int64_t> one{l.label};
-      Volume s = label_indicator(volume, one, {{0, 0, 0}, {25, 23, 27}});
-      if (filter.median > 0) s = median(s, filter.median);
-      s = gaussian(s, filter.sigma);
-      std::vector<float> w;
-      s.visit([&](const auto* v) {
-        for (std::size_t n = 0; n < s.sample_count(); ++n) {
-          w.push_back(static_cast<float>(l.weight * static_cast<double>(v[n])));
-        }
+      // The outermost samples go on for 8 more.
+      const Volume indicator = sampled<std::uint8_t>(kWide, {1, 1, 1}, [&](int i, int j, int k) {
+        return volume.sample(std::clamp(i - 8, 0, 25), std::clamp(j - 8, 0, 23),
+                             std::clamp(k - 8, 0, 27)) == static_cast<double>(l.label);
       });
-      weighted.push_back(Volume::from_samples(kCells, {1, 1, 1}, w));
+      const Volume s =
+          gaussian(filter.median > 0 ? median(indicator, filter.median) : indicator, filter.sigma);
+      weighted.push_back(sampled<float>(kCells, {1, 1, 1}, [&](int i, int j, int k) {
+        return static_cast<float>(l.weight * s.sample(i + 8, j + 8, k + 8));
+      }));
     }
     int wrong = 0, opposite = 0, outside = 0, otherwise_weighted = 0;
     for (std::size_t l = 0; l < labels.size(); ++l) {
@@ -89,7 +89,13 @@ TEST_CASE("the field of a label is its weighted indicator less the largest other
           if (m == l) continue;
           others = std::max(others, static_cast<float>(weighted[m].sample(i, j, k)));
         }
-        const float expected = static_cast<float>(weighted[l].sample(i, j, k)) - others;
+        const auto value = static_cast<float>(weighted[l].sample(i, j, k));
+        float expected = value - others;
+        if (keeps && volume.sample(i, j, k) == static_cast<double>(labels[l].label)) {
+          expected = std::max(expected, kAhead * others);
+        } else if (keeps) {
+          expected = std::min(expected, -kAhead * value);
+        }
         const Index3 here{i - int(at.x), j - int(at.y), k - int(at.z)}, n = field.dims();
         const bool is_in = here.i >= 0 && here.i < n.i && here.j >= 0 && here.j < n.j &&
                            here.k >= 0 && here.k < n.k;
@@ -146,7 +152,8 @@ TEST_CASE("labels of one voxel and sheets of one keep their volume, wherever the
         CHECK(greatest(field) > 0);
         const double volume = inside_volume(field);
         const double voxels = fields.weighed(label).volume;
-        CHECK(volume > 0.5 * voxels);  // 10 takes from 9, whose weight was found before
+        // A voxel's samples around it keep their labels, too: a body of one has less than .7.
+        CHECK(volume > (label == 7 ? 0.5 : 0.1) * voxels);
         CHECK(volume < 1.25 * voxels);
       }
     }
@@ -155,7 +162,7 @@ TEST_CASE("labels of one voxel and sheets of one keep their volume, wherever the
   LabelFields fields = fields_of(ball(24, 4.2, {11, 12, 12}, 5), {0, {3, 3, 3}});
   CHECK(fields.weighed(3).weight > 1.2);
   CHECK(greatest(fields.field(5)) > 0);
-  CHECK(inside_volume(fields.field(5)) == doctest::Approx(1).epsilon(0.1));
+  CHECK(inside_volume(fields.field(5)) > 0.1);
 }
 
 TEST_CASE("weights keep volumes that equal weights would not") {
@@ -166,7 +173,7 @@ TEST_CASE("weights keep volumes that equal weights would not") {
     const LabelSamples& three = fields.weighed(3);
     const Volume field = fields.field(3);
     CHECK(inside_volume(field, 3) == inside_volume(field));
-    CHECK(inside_volume(field) == doctest::Approx(three.volume).epsilon(0.004));
+    CHECK(inside_volume(field) == doctest::Approx(three.volume).epsilon(0.007));
     CHECK(fields.weighed(0).weight == 1);
     // Another count, of random points; with equal weights it is the indicator above one half. The
     // shift of a surface is sigma^2 over its radius.
@@ -210,5 +217,97 @@ TEST_CASE("cells that fill a block keep their volumes, though few of them meet l
     CHECK(l.weight > 0.8);
     CHECK(l.weight < 2);
     CHECK(inside_volume(fields.field(l.label)) == doctest::Approx(l.volume).epsilon(0.05));
+  }
+}
+
+namespace {
+
+// Balls of different sizes, each with a label of its own; and the same as one mask.
+constexpr Index3 kBalls{76, 24, 20};
+int ball_at(int i, int j, int k) {
+  constexpr double kRadius[] = {4.6, 3.1, 2.2, 1, 0.6}, kAt[] = {8.3, 27.2, 43.8, 58, 70.2};
+  for (int n = 0; n < 5; ++n) {
+    const double x = i - kAt[n], y = j - 11.2, z = k - 9.8;
+    if (x * x + y * y + z * z <= kRadius[n] * kRadius[n]) return n + 1;
+  }
+  return 0;
+}
+
+// Returns the sample of a field that was cut out of a volume; -1 beyond.
+double sample_of_all(const Volume& field, Index3 at) {
+  const Vec3 first = field.frame().origin;
+  const Index3 here{at.i - int(first.x), at.j - int(first.y), at.k - int(first.z)};
+  const Index3 n = field.dims();
+  const bool is_in =
+      here.i >= 0 && here.i < n.i && here.j >= 0 && here.j < n.j && here.k >= 0 && here.k < n.k;
+  return is_in ? field.sample(here.i, here.j, here.k) : -1;
+}
+
+}  // namespace
+
+TEST_CASE("each body of a mask has the field that it would have as a label") {
+  const Volume labels = sampled<std::uint8_t>(kBalls, {1, 1, 1}, ball_at);
+  const Volume mask = sampled<std::uint8_t>(
+      kBalls, {1, 1, 1}, [](int i, int j, int k) { return ball_at(i, j, k) > 0; });
+  const IndicatorFilter filter{0, {1, 1, 1}};
+  const Volume all = fields_of(mask, filter).field(1);
+  LabelFields each = fields_of(labels, filter);
+  for (const LabelSamples& l : each.weighed()) {
+    if (l.label == 0) continue;
+    CAPTURE(l.label);
+    const Volume own = each.field(l.label);
+    CHECK(greatest(own) > 0);
+    if (l.samples >= 30) CHECK(inside_volume(own) == doctest::Approx(l.volume).epsilon(0.03));
+    int wrong = 0;
+    for_each_index(kBalls, [&](int i, int j, int k) {
+      const double value = sample_of_all(own, {i, j, k});
+      wrong += value > -0.9 && value != sample_of_all(all, {i, j, k});
+    });
+    CHECK(wrong == 0);
+  }
+}
+
+TEST_CASE("a label next to the box has the field that it has far from it") {
+  const auto cube = [](int margin) {
+    const int n = 6 + 2 * margin;
+    return sampled<std::uint8_t>({n, n, n}, {1, 1, 1}, [&](int i, int j, int k) {
+      const auto is_in = [&](int x) { return x >= margin && x < margin + 6; };
+      return is_in(i) && is_in(j) && is_in(k);
+    });
+  };
+  const IndicatorFilter filter{0, {1, 1, 1}};
+  const Volume near = fields_of(cube(1), filter).field(1),
+               far = fields_of(cube(9), filter).field(1);
+  CHECK(inside_volume(near) == doctest::Approx(216).epsilon(0.01));
+  for_each_index({8, 8, 8}, [&](int i, int j, int k) {
+    CHECK(sample_of_all(near, {i, j, k}) == sample_of_all(far, {i + 8, j + 8, k + 8}));
+  });
+}
+
+TEST_CASE("a mirrored volume has the mirrored fields, to the last bit") {
+  const Volume volume = cells(11);
+  const IndicatorFilter filter{0, {1, 0.8, 1.2}};
+  LabelFields fields = fields_of(volume, filter);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto mirrored = [&](Index3 at) {
+      at[axis] = kCells[axis] - 1 - at[axis];
+      return at;
+    };
+    LabelFields others = fields_of(sampled<std::uint8_t>(kCells, {1, 1, 1},
+                                                         [&](int i, int j, int k) {
+                                                           const Index3 at = mirrored({i, j, k});
+                                                           return volume.sample(at.i, at.j, at.k);
+                                                         }),
+                                   filter);
+    for (const LabelSamples& l : fields.weighed()) {
+      CAPTURE(l.label);
+      CHECK(others.weighed(l.label).weight == l.weight);
+      const Volume a = fields.field(l.label), b = others.field(l.label);
+      int wrong = 0;
+      for_each_index(kCells, [&](int i, int j, int k) {
+        wrong += sample_of_all(a, {i, j, k}) != sample_of_all(b, mirrored({i, j, k}));
+      });
+      CHECK(wrong == 0);
+    }
   }
 }
