@@ -45,6 +45,7 @@ struct FieldOptions {
   bool all_labels = false;  // a mesh for each label of the volume
 
   bool of_labels() const { return all_labels || !labels.empty() || !segments.empty(); }
+  bool filters_by_gaussian() const { return smooth && smooth->value > 0; }
   bool any() const { return of_labels() || median > 0 || smooth; }
 };
 

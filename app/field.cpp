@@ -68,7 +68,7 @@ Field unfiltered_field(const VolumeSource& samples, const FieldOptions& options)
   field.median = options.median;
   std::optional<Length> smooth = options.smooth;
   if (options.of_labels() && !smooth) smooth = {1, Length::Unit::voxel};
-  if (smooth) {
+  if (smooth && smooth->value > 0) {
     field.sigma = sigma_of(*smooth, volume);
     field.sigma_voxels = in_voxels(*smooth, volume);
   }
@@ -87,7 +87,7 @@ Field make_field(const Segmentation& samples, const FieldOptions& options,
     field.label = facts_of(volume, samples.volume, options, labels.weighed(label), threads);
   } else {
     if (field.median > 0) volume = median(volume, field.median, threads);
-    if (options.smooth) volume = gaussian(volume, field.sigma, threads);
+    if (field.sigma_voxels > 0) volume = gaussian(volume, field.sigma, threads);
   }
   if (field.is_filtered()) field.source = source_of(volume);
   field.seconds = watch.seconds();

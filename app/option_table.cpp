@@ -179,8 +179,11 @@ constexpr OptionSpec kInputAndOutput[] = {
      "the median of the (2R+1)^3 samples around each, R from 1 to 3, before all else",
      [](Line& l, Text o, Text v) { l.field.median = parse_radius(o, v); }},
     {"--smooth", 0, "S|Svox", kVolume,
-     "a Gaussian of the samples, after --median: sigma in world units, or in voxels as 0.7vox",
-     [](Line& l, Text o, Text v) { l.field.smooth = parse_length(o, v, Length::Unit::world); }},
+     "a Gaussian of the samples, after --median: sigma in world units, or in voxels as 0.7vox; 0: "
+     "none, of labels either",
+     [](Line& l, Text o, Text v) {
+       l.field.smooth = parse_length(o, v, Length::Unit::world, true);
+     }},
     {"--label", 0, "L[,L...]|all", kVolume,
      "the surface around these labels of a segmentation, or segments that a .seg.nrrd names, "
      "smoothed by --smooth (default 1vox), in place of --iso; all, of mesh alone: a mesh for each "

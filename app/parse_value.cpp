@@ -97,11 +97,16 @@ PartChoice parse_part(std::string_view option, std::string_view text) {
   return {(*numbers)[0], (*numbers)[1]};
 }
 
-Length parse_length(std::string_view option, std::string_view text, Length::Unit unit) {
+Length parse_length(std::string_view option, std::string_view text, Length::Unit unit,
+                    bool may_be_zero) {
   constexpr std::string_view kUnit = "vox";
   const bool in_voxels = text.ends_with(kUnit);
   const auto value = read_finite(in_voxels ? text.substr(0, text.size() - kUnit.size()) : text);
-  if (!value || *value <= 0) refuse(option, text, "a number above 0, or voxels as in '0.5vox'");
+  if (!value || *value < 0 || (*value == 0 && !may_be_zero)) {
+    refuse(option, text,
+           std::string(may_be_zero ? "0, or a number above it" : "a number above 0") +
+               ", or voxels as in '0.5vox'");
+  }
   return {*value, in_voxels ? Length::Unit::voxel : unit};
 }
 

@@ -19,7 +19,8 @@ double parse_number(std::string_view option, std::string_view text);  // finite
 double parse_positive(std::string_view option, std::string_view text);
 std::uint64_t parse_count(std::string_view option, std::string_view text, std::uint64_t least = 0);
 // 0.5vox, or a plain number in `unit`.
-Length parse_length(std::string_view option, std::string_view text, Length::Unit unit);
+Length parse_length(std::string_view option, std::string_view text, Length::Unit unit,
+                    bool may_be_zero = false);
 PartChoice parse_part(std::string_view option, std::string_view text);  // 3/64, from 1/64 on
 // Whole numbers of at most 2^53, each once, in order, and names of segments; 1,4 or Liver.
 struct LabelList {

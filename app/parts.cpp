@@ -29,7 +29,7 @@ bool is_noted(std::string_view word) {
 // Returns how many samples on either side the filters reach.
 Index3 reach_of(const FieldOptions& options, const Grid& shape) {
   Index3 reach;
-  const Vec3 sigma = options.smooth ? sigma_of(*options.smooth, shape) : Vec3{};
+  const Vec3 sigma = options.filters_by_gaussian() ? sigma_of(*options.smooth, shape) : Vec3{};
   for (int axis = 0; axis < 3; ++axis) reach[axis] = options.median + gaussian_radius(sigma[axis]);
   return reach;
 }
@@ -80,7 +80,8 @@ FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
   }
   const Grid& shape = raw.shape;
   const Index3 reach = reach_of(line.field, shape);
-  const SampleType type = line.field.smooth ? gaussian_type(shape.type()) : shape.type();
+  const SampleType type =
+      line.field.filters_by_gaussian() ? gaussian_type(shape.type()) : shape.type();
   field.source = {shape.of_type(type), [=, options = line.field](const SampleBox& box) {
                     const Volume around = raw.read(grown(box, reach, raw.shape.voxels()));
                     value_range(around, name);

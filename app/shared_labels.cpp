@@ -171,9 +171,9 @@ void mesh_labels(SharedRun& run, Progress& progress) {
   options.observer = &progress;
   run.mesh = mesh_interfaces(partition, options, run.report);
   if (run.mesh.facets.empty() && !line.mesh.allow_empty) {
-    throw InputError(line.input,
-                     ": no two labels meet, so the mesh is empty (--cap closes labels "
-                     "on the volume's border, --allow-empty accepts it)");
+    throw InputError(line.input, ": no two labels meet, so the mesh is empty (",
+                     line.options.cap ? "" : "--cap closes labels on the volume's border, ",
+                     "--allow-empty accepts it)");
   }
   progress.show("check", 0);
   const Stopwatch watch;

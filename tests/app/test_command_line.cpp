@@ -698,7 +698,7 @@ TEST_CASE("a value of the wrong kind is refused, in one line that names the opti
       {"x --iso 1 NAME", "--solver", "newton"},
       {"x --iso 1 NAME", "--format", "gif"},
       {"a.nrrd --iso 1 NAME", "--median", "0 4 -1 1.5 1vox", false},
-      {"a.nrrd --iso 1 NAME", "--smooth", "0 -1 nan 1mm vox", false},
+      {"a.nrrd --iso 1 NAME", "--smooth", "-1 nan 1mm vox", false},
       {"a.nrrd NAME", "--label", "'' , 1, 1.5 Liver,2.5 1~2 9223372036854775808 ,any", false},
       {"a.nrrd --iso 1 NAME", "--channel --time", "'' 0 -1 1.5 x 1,2", false},
       {"a.nrrd --iso 1 NAME", "--origin", "1 1,2 1,2,3,4 1,2,x nan,0,0 1;2;3"},

@@ -40,7 +40,13 @@ Rgb sequential_color(double share) {
 }
 
 Rgb category_color(std::size_t number) {
-  return kKinds[number % kCategories];
+  const Rgb kind = kKinds[number % kCategories];
+  if (number < kCategories) return kind;
+  // Towards black or white; by golden sections, so that none of hundreds is like another.
+  constexpr double kGolden = 0.6180339887498949, kMost = 1.2;
+  const double turns = kGolden * static_cast<double>(number / kCategories);
+  const double shade = turns - std::floor(turns) - 0.5;
+  return mixed(kind, shade < 0 ? Rgb{0, 0, 0} : Rgb{255, 255, 255}, kMost * std::fabs(shade));
 }
 
 }  // namespace deliso

@@ -16,7 +16,8 @@ namespace deliso {
 // Returns the color of a share from 0 to 1. Shares beyond are clamped, and NaN counts as 1.
 Rgb sequential_color(double share);
 
-// The first kCategories differ; from there on they come again.
+// The first kCategories differ for all readers; those of hundreds from there on are darker or
+// lighter ones of them.
 inline constexpr std::size_t kCategories = 7;
 Rgb category_color(std::size_t number);
 
