@@ -111,11 +111,9 @@ std::vector<Sum> sum_slices(const Volume& volume, int threads, F&& f) {
 
 }  // namespace
 
-// Of a label L in its box: s_L, the largest w_M s_M of the others, and the sum of their s_M.
+// In the box of a part: its s, the largest w_M s_M of others, and the sum of their s_M.
 struct LabelFields::Rivals {
-  SampleExtent box;
-  Volume own;
-  Volume largest, sum;
+  Volume own, largest, sum;
 };
 
 namespace {
@@ -205,28 +203,7 @@ double balanced_weight(const Volume& own, const Volume& others, const Volume& ma
   const double twice =
       (1 - share) * static_cast<double>(last + here) + share * static_cast<double>(next + here);
   const double level = (twice + 1) / 2 * greatest / kBins;
-  return std::clamp((1 - level) / level, 1 / kLargestWeight, kLargestWeight);
-}
-
-// A label that has less than this share of its border with larger ones is weighed against all. With
-// the tails of the Gaussians of two labels that hardly meet, cells that fill a block had weights
-// from .0002 to 1.1 and volumes off by up to 44 %; now from .97 to 1.4 and 1.8 %. Shares of .05 to
-// .4 did the same on 60 cells of 48^3 samples and 191 of 64^3.
-constexpr double kFewLarger = 0.05;
-
-// Returns how much of a label's border is with others, whose indicators have this sum.
-double share_of_border(const Volume& own, const Volume& sum) {
-  double shared = 0, border = 0;
-  own.visit([&](const auto* s) {
-    sum.visit([&](const auto* others) {
-      for (std::size_t n = 0; n < own.sample_count(); ++n) {
-        const double s_n = static_cast<double>(s[n]);
-        shared += s_n * static_cast<double>(others[n]);
-        border += s_n * (1 - s_n);
-      }
-    });
-  });
-  return border > 0 ? shared / border : 1;
+  return rounded_weight(std::clamp((1 - level) / level, 1 / kLargestWeight, kLargestWeight));
 }
 
 }  // namespace
@@ -241,9 +218,10 @@ LabelFields::LabelFields(const Segmentation& samples, std::vector<LabelSamples> 
       reach_(reach_of(filter)),
       name_(name),
       threads_(threads),
-      parts_(find_parts(samples, labels_, united_, margin_of(reach_), name, threads)) {}
+      parts_(find_parts(samples, labels_, united_, margin_of(reach_), filter.median == 0, name,
+                        threads)) {}
 
-std::size_t LabelFields::index_of(std::int64_t label) const {
+std::size_t LabelFields::number_of(std::int64_t label) const {
   const bool is_united = std::ranges::find(united_, label) != united_.end();
   const auto at = std::ranges::lower_bound(labels_, is_united ? united_.front() : label, {},
                                            &LabelSamples::label);
@@ -259,122 +237,21 @@ std::vector<std::size_t> LabelFields::parts_of(std::size_t label) const {
   return parts;
 }
 
-// The order in which parts get their weights: those of one size at once.
-bool LabelFields::is_larger(std::size_t m, std::size_t n) const {
-  return parts_.parts[m].samples > parts_.parts[n].samples;
-}
-
 // Returns the box of samples within this number of reaches, and one more. Beyond one reach and one
 // sample the smoothed indicator is 0.
 SampleExtent LabelFields::box(const LabelSamples& of, int times) const {
-  SampleExtent box;
+  return grown({of.first, of.last}, times);
+}
+SampleExtent LabelFields::grown(SampleExtent box, int times) const {
   for (int axis = 0; axis < 3; ++axis) {
     const int margin = times * reach_[axis] + 1;
-    box.first[axis] = std::max(0, of.first[axis] - margin);
-    box.last[axis] = std::min(parts_.of_sample.dims()[axis] - 1, of.last[axis] + margin);
+    box.first[axis] = std::max(0, box.first[axis] - margin);
+    box.last[axis] = std::min(parts_.part_at.dims()[axis] - 1, box.last[axis] + margin);
   }
   return box;
 }
 
-// Returns the smoothed indicator of a part; within the reach of the box's inner faces it is wrong.
-Volume LabelFields::smoothed(std::size_t part, const SampleExtent& box) const {
-  const auto number = static_cast<std::int64_t>(part);
-  Volume field = label_indicator(parts_.of_sample, std::span(&number, 1), box, threads_);
-  if (filter_.median > 0) field = median(field, filter_.median, threads_);
-  return gaussian(field, filter_.sigma, threads_);
-}
-
-// Returns the samples of all parts from which a filter reaches the box of one.
-std::vector<LabelSamples> LabelFields::near(std::size_t part) const {
-  return find_labels(parts_.of_sample, name_, threads_, box(parts_.parts[part], 2));
-}
-
-LabelFields::Rivals LabelFields::rivals(std::size_t n, Others others) const {
-  const SampleExtent own_box = box(parts_.parts[n], 1), reached = box(parts_.parts[n], 2);
-  Volume own = smoothed(n, own_box);
-  std::vector<float> largest(own.sample_count());
-  std::vector<double> sum(others == Others::all ? 0 : own.sample_count());
-  for (const LabelSamples& other : near(n)) {
-    const auto m = static_cast<std::size_t>(other.label);
-    if (parts_.label_of[m] == parts_.label_of[n]) continue;
-    if (others == Others::larger && !is_larger(m, n)) continue;
-    const SampleExtent from = common(reached, box(other, 1)), both = common(from, own_box);
-    if (both.dims().i <= 0 || both.dims().j <= 0 || both.dims().k <= 0) continue;
-    const Volume s = smoothed(m, from);
-    const bool is_guess = others == Others::guessed && !is_larger(m, n);
-    const double weight = is_guess ? weight_of_ball(m) : parts_.parts[m].weight;
-    s.visit([&](const auto* values) {
-      for_each_task(threads_, static_cast<std::size_t>(both.dims().k), [&](std::size_t slice) {
-        const int k = both.first.k + static_cast<int>(slice);
-        for (int j = both.first.j; j <= both.last.j; ++j) {
-          const auto* row =
-              values + s.index(both.first.i - from.first.i, j - from.first.j, k - from.first.k);
-          const std::size_t at =
-              own.index(both.first.i - own_box.first.i, j - own_box.first.j, k - own_box.first.k);
-          for (std::size_t i = 0; i < static_cast<std::size_t>(both.dims().i); ++i) {
-            const auto weighted = static_cast<float>(weight * static_cast<double>(row[i]));
-            largest[at + i] = std::max(largest[at + i], weighted);
-            if (!sum.empty()) sum[at + i] += static_cast<double>(row[i]);
-          }
-        }
-      });
-    });
-  }
-  Volume most = volume_of(std::move(largest), own);
-  Volume mass = sum.empty() ? most : volume_of({sum.begin(), sum.end()}, own);
-  return {own_box, std::move(own), std::move(most), std::move(mass)};
-}
-
-// Returns the weight at which a ball with the samples of a part keeps its volume, to first order:
-// a Gaussian lowers the indicator at the surface of a ball of radius R by sigma / (R sqrt(2 pi)).
-double LabelFields::weight_of_ball(std::size_t part) const {
-  const double ball = 3 * static_cast<double>(parts_.parts[part].samples) / (4 * std::numbers::pi);
-  const Vec3& sigma = filter_.sigma;
-  const double curvature = cube_root(sigma.x * sigma.y * sigma.z / ball);
-  return 1 + 4 / std::sqrt(2 * std::numbers::pi) * curvature;
-}
-
-// Gives weights to the wanted parts.
-void LabelFields::weigh(std::vector<std::uint8_t> wanted) {
-  std::vector<LabelSamples>& parts = parts_.parts;
-  std::vector<std::size_t> order(parts.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return is_larger(a, b); });
-  for (const std::size_t n : order) {
-    if (!is_larger(order[0], n)) parts[n].weight = 1;
-  }
-  // From the smallest: a part's weight depends on those of larger ones near it.
-  for (std::size_t rank = order.size(); rank-- > 1;) {
-    const std::size_t n = order[rank];
-    if (wanted[n] == 0 || parts[n].weight > 0) continue;
-    for (const LabelSamples& other : near(n)) {
-      const auto m = static_cast<std::size_t>(other.label);
-      if (is_larger(m, n)) wanted[m] = 1;
-    }
-  }
-  for (const std::size_t n : order) {
-    if (wanted[n] == 0 || parts[n].weight > 0) continue;
-    Rivals of = rivals(n, Others::larger);
-    if (share_of_border(of.own, of.sum) < kFewLarger) of = rivals(n, Others::guessed);
-    parts[n].weight = rounded_weight(balanced_weight(of.own, of.largest, of.sum, threads_));
-  }
-  for (std::size_t n = 0; n < labels_.size(); ++n) labels_[n].weight = parts[n].weight;
-}
-
-const std::vector<LabelSamples>& LabelFields::weighed() {
-  weigh(std::vector<std::uint8_t>(parts_.parts.size(), 1));
-  return labels_;
-}
-
-const LabelSamples& LabelFields::weighed(std::int64_t label) {
-  const std::size_t n = index_of(label);
-  std::vector<std::uint8_t> wanted(parts_.parts.size());
-  for (const std::size_t part : parts_of(n)) wanted[part] = 1;
-  weigh(std::move(wanted));
-  return labels_[n];
-}
-
-// Returns the samples around all parts of a label that their fields reach.
+// Returns the samples of the volume that the field of a label reaches.
 SampleExtent LabelFields::box_of_label(std::size_t label) const {
   SampleExtent all;
   for (int axis = 0; axis < 3; ++axis) {
@@ -385,93 +262,184 @@ SampleExtent LabelFields::box_of_label(std::size_t label) const {
   return all;
 }
 
-// Returns the largest value of all parts of a label in a box of the volume; `none` beyond their
-// boxes. value(part) has those in the part's box.
-template <class Value>
-std::vector<float> LabelFields::largest_of_parts(std::size_t label, const SampleExtent& within,
-                                                 float none, Value&& value) const {
-  constexpr float kNone = std::numeric_limits<float>::lowest();
-  const Index3 n = within.dims();
-  std::vector<float> largest(std::size_t(n.i) * n.j * n.k, kNone);
-  for (const std::size_t part : parts_of(label)) {
-    const Volume values = value(part);
-    const SampleExtent from = box(parts_.parts[part], 1);
-    const SampleExtent both =
-        common(from, {within.first + parts_.margin, within.last + parts_.margin});
-    const Index3 count = both.dims();
-    Index3 at, to;  // the first of both, in either
-    for (int axis = 0; axis < 3; ++axis) {
-      at[axis] = both.first[axis] - from.first[axis];
-      to[axis] = both.first[axis] - parts_.margin[axis] - within.first[axis];
+// Returns the smoothed indicator of the samples of a number; within the reach of the box's inner
+// faces it is wrong.
+Volume LabelFields::smoothed(const Volume& numbers, std::size_t number,
+                             const SampleExtent& box) const {
+  const auto one = static_cast<std::int64_t>(number);
+  Volume field = label_indicator(numbers, std::span(&one, 1), box, threads_);
+  if (filter_.median > 0) field = median(field, filter_.median, threads_);
+  return gaussian(field, filter_.sigma, threads_);
+}
+
+// Returns the labels from which a filter reaches the box.
+std::vector<std::size_t> LabelFields::labels_near(const SampleExtent& box) const {
+  std::vector<std::size_t> numbers;
+  for (const LabelSamples& l : find_labels(parts_.label_at, name_, threads_, grown(box, 1))) {
+    numbers.push_back(static_cast<std::size_t>(l.label));
+  }
+  return numbers;
+}
+
+// The others are whole labels, with the weights of their main parts: all, or the larger ones.
+LabelFields::Rivals LabelFields::rivals(std::size_t part, bool is_larger_only) const {
+  const std::size_t label = parts_.label_of[part];
+  const SampleExtent own_box = box(parts_.parts[part], 1), reached = grown(own_box, 1);
+  Volume own = smoothed(parts_.part_at, part, own_box);
+  std::vector<float> largest(own.sample_count());
+  std::vector<double> sum(own.sample_count());
+  for (const std::size_t other : labels_near(own_box)) {
+    if (other == label || (is_larger_only && !is_larger(other, label))) continue;
+    const SampleExtent from = common(reached, box(parts_.labels[other], 1)),
+                       both = common(from, own_box);
+    if (both.dims().i <= 0 || both.dims().j <= 0 || both.dims().k <= 0) continue;
+    const Volume s = smoothed(parts_.label_at, other, from);
+    const double weight = parts_.parts[other].weight;
+    s.visit([&](const auto* values) {
+      for_each_task(threads_, static_cast<std::size_t>(both.dims().k), [&](std::size_t slice) {
+        const int k = both.first.k + static_cast<int>(slice);
+        for (int j = both.first.j; j <= both.last.j; ++j) {
+          const auto* row =
+              values + s.index(both.first.i - from.first.i, j - from.first.j, k - from.first.k);
+          const std::size_t at =
+              own.index(both.first.i - own_box.first.i, j - own_box.first.j, k - own_box.first.k);
+          for (std::size_t i = 0; i < static_cast<std::size_t>(both.dims().i); ++i) {
+            const auto value = static_cast<double>(row[i]);
+            largest[at + i] = std::max(largest[at + i], static_cast<float>(weight * value));
+            sum[at + i] += value;
+          }
+        }
+      });
+    });
+  }
+  Volume most = volume_of(std::move(largest), own);
+  Volume mass = volume_of({sum.begin(), sum.end()}, own);
+  return {std::move(own), std::move(most), std::move(mass)};
+}
+
+// The order in which labels get their weights: those of one size at once.
+bool LabelFields::is_larger(std::size_t m, std::size_t n) const {
+  return parts_.labels[m].samples > parts_.labels[n].samples;
+}
+
+// Gives weights to the main parts of the wanted labels.
+void LabelFields::weigh(std::vector<std::uint8_t> wanted) {
+  std::vector<std::size_t> order(labels_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return is_larger(a, b); });
+  for (const std::size_t n : order) {
+    if (!is_larger(order[0], n)) parts_.parts[n].weight = 1;
+  }
+  // From the smallest: a weight depends on those of larger labels near.
+  for (std::size_t rank = order.size(); rank-- > 1;) {
+    const std::size_t n = order[rank];
+    if (wanted[n] == 0 || parts_.parts[n].weight > 0) continue;
+    for (const std::size_t m : labels_near(box(parts_.labels[n], 1))) {
+      if (is_larger(m, n)) wanted[m] = 1;
     }
-    values.visit([&](const auto* v) {
-      for (int k = 0; k < count.k; ++k) {
-        for (int j = 0; j < count.j; ++j) {
-          const auto* row = v + values.index(at.i, at.j + j, at.k + k);
-          float* out =
-              &largest[to.i + std::size_t(n.i) * (to.j + j + std::size_t(n.j) * (to.k + k))];
-          for (int i = 0; i < count.i; ++i) out[i] = std::max(out[i], static_cast<float>(row[i]));
+  }
+  for (const std::size_t n : order) {
+    if (wanted[n] == 0 || parts_.parts[n].weight > 0) continue;
+    const Rivals of = rivals(n, true);
+    parts_.parts[n].weight = balanced_weight(of.own, of.largest, of.sum, threads_);
+  }
+  for (std::size_t n = 0; n < labels_.size(); ++n) labels_[n].weight = parts_.parts[n].weight;
+}
+
+// Gives weights to all parts of a label.
+void LabelFields::weigh_parts(std::size_t label) {
+  std::vector<std::uint8_t> wanted(labels_.size());
+  wanted[label] = 1;
+  const std::vector<std::size_t> parts = parts_of(label);
+  if (parts.size() > 1) {
+    for (const std::size_t m : labels_near(box(parts_.labels[label], 1))) wanted[m] = 1;
+  }
+  weigh(std::move(wanted));
+  for (const std::size_t part : parts) {
+    LabelSamples& own = parts_.parts[part];
+    if (own.weight > 0) continue;
+    const Rivals of = rivals(part, false);
+    own.weight = balanced_weight(of.own, of.largest, of.sum, threads_);
+  }
+}
+
+const std::vector<LabelSamples>& LabelFields::weighed() {
+  weigh(std::vector<std::uint8_t>(labels_.size(), 1));
+  return labels_;
+}
+
+const LabelSamples& LabelFields::weighed(std::int64_t label) {
+  const std::size_t n = number_of(label);
+  std::vector<std::uint8_t> wanted(labels_.size());
+  wanted[n] = 1;
+  weigh(std::move(wanted));
+  return labels_[n];
+}
+
+// Raises values in a box of the volume to w_L s_L of a label.
+void LabelFields::raise_to(std::size_t label, const SampleExtent& box_of_values,
+                           std::vector<float>& values) const {
+  const SampleExtent to{box_of_values.first + parts_.margin, box_of_values.last + parts_.margin};
+  const SampleExtent reached = grown(to, 1);
+  const Index3 n = to.dims();
+  for (const std::size_t part : parts_of(label)) {
+    const SampleExtent from = common(reached, box(parts_.parts[part], 1)), both = common(from, to);
+    if (both.dims().i <= 0 || both.dims().j <= 0 || both.dims().k <= 0) continue;
+    const Volume s = smoothed(parts_.part_at, part, from);
+    const double weight = parts_.parts[part].weight;
+    s.visit([&](const auto* v) {
+      for (int k = both.first.k; k <= both.last.k; ++k) {
+        for (int j = both.first.j; j <= both.last.j; ++j) {
+          const auto* row =
+              v + s.index(both.first.i - from.first.i, j - from.first.j, k - from.first.k);
+          float* out = &values[static_cast<std::size_t>(both.first.i - to.first.i) +
+                               static_cast<std::size_t>(n.i) *
+                                   (static_cast<std::size_t>(j - to.first.j) +
+                                    static_cast<std::size_t>(n.j) *
+                                        static_cast<std::size_t>(k - to.first.k))];
+          for (int i = 0; i < both.dims().i; ++i) {
+            out[i] = std::max(out[i], static_cast<float>(weight * static_cast<double>(row[i])));
+          }
         }
       }
     });
   }
-  std::ranges::replace(largest, kNone, none);
-  return largest;
 }
 
 Volume LabelFields::field(std::int64_t label) {
-  const std::size_t l = index_of(label);
-  std::vector<std::uint8_t> wanted(parts_.parts.size());
-  for (const std::size_t part : parts_of(l)) {
-    wanted[part] = 1;
-    for (const LabelSamples& other : near(part)) wanted[static_cast<std::size_t>(other.label)] = 1;
+  const std::size_t l = number_of(label);
+  const SampleExtent within = box_of_label(l);
+  const Grid block = grid_.cropped(within.first, within.dims()).of_type(SampleType::f32);
+  std::vector<float> own(block.sample_count()), others(block.sample_count(), kLeastRival);
+  for (const std::size_t m : labels_near(box(parts_.labels[l], 1))) {
+    weigh_parts(m);
+    raise_to(m, within, m == l ? own : others);
   }
-  weigh(std::move(wanted));
-  const auto field_of = [&](std::size_t part) {
-    const Rivals of = rivals(part, Others::all);
-    const Index3 n = of.own.dims();
-    std::vector<float> samples;
-    samples.reserve(of.own.sample_count());
-    for (int k = 0; k < n.k; ++k) {
-      for (int j = 0; j < n.j; ++j) {
-        for (int i = 0; i < n.i; ++i) {
-          // A median may leave a sample to no label: it is outside.
-          const auto rival = std::max(static_cast<float>(of.largest.sample(i, j, k)), kLeastRival);
-          const auto own = static_cast<float>(parts_.parts[part].weight * of.own.sample(i, j, k));
-          float ahead = own - rival;
-          if (filter_.median == 0) {
-            const Index3 at = of.box.first + Index3{i, j, k};
-            const auto here = static_cast<std::size_t>(parts_.of_sample.sample(at.i, at.j, at.k));
-            ahead = parts_.label_of[here] == l ? std::max(ahead, kAhead * rival)
-                                               : std::min(ahead, -kAhead * own);
-          }
-          samples.push_back(ahead);
-        }
+  std::size_t at = 0;
+  const Index3 first = within.first + parts_.margin, n = within.dims();
+  for (int k = 0; k < n.k; ++k) {
+    for (int j = 0; j < n.j; ++j) {
+      for (int i = 0; i < n.i; ++i, ++at) {
+        // A median may leave a sample to no label: it is outside.
+        const float ahead = own[at] - others[at];
+        const double here = parts_.label_at.sample(first.i + i, first.j + j, first.k + k);
+        own[at] = filter_.median > 0               ? ahead
+                  : here == static_cast<double>(l) ? std::max(ahead, kAhead * others[at])
+                                                   : std::min(ahead, -kAhead * own[at]);
       }
     }
-    return volume_of(std::move(samples), of.own);
-  };
-  const SampleExtent within = box_of_label(l);
-  return Volume::from_samples(grid_.cropped(within.first, within.dims()).of_type(SampleType::f32),
-                              largest_of_parts(l, within, -kLeastRival, field_of));
+  }
+  return Volume::from_samples(block, own);
 }
 
 Volume LabelFields::weighted(std::int64_t label) {
-  weighed(label);
-  const auto weighted_part = [&](std::size_t part) {
-    const Volume own = smoothed(part, box(parts_.parts[part], 1));
-    std::vector<float> samples(own.sample_count());
-    own.visit([&](const auto* s) {
-      for (std::size_t at = 0; at < samples.size(); ++at) {
-        samples[at] = static_cast<float>(parts_.parts[part].weight * static_cast<double>(s[at]));
-      }
-    });
-    return volume_of(std::move(samples), own);
-  };
-  const std::size_t l = index_of(label);
+  const std::size_t l = number_of(label);
+  weigh_parts(l);
   const SampleExtent within = box_of_label(l);
-  return Volume::from_samples(grid_.part(within.first, within.dims()).of_type(SampleType::f32),
-                              largest_of_parts(l, within, 0, weighted_part));
+  const Grid block = grid_.part(within.first, within.dims()).of_type(SampleType::f32);
+  std::vector<float> samples(block.sample_count());
+  raise_to(l, within, samples);
+  return Volume::from_samples(block, samples);
 }
 
 std::vector<std::uint32_t> LabelFields::kept() const {
@@ -479,14 +447,11 @@ std::vector<std::uint32_t> LabelFields::kept() const {
   if (filter_.median > 0) return label;
   const Index3 n = grid_.dims(), margin = parts_.margin;
   label.reserve(grid_.sample_count());
-  parts_.of_sample.visit([&](const auto* part) {
+  parts_.label_at.visit([&](const auto* number) {
     for (int k = 0; k < n.k; ++k) {
       for (int j = 0; j < n.j; ++j) {
-        const auto* row = part + parts_.of_sample.index(margin.i, j + margin.j, k + margin.k);
-        for (int i = 0; i < n.i; ++i) {
-          label.push_back(
-              static_cast<std::uint32_t>(parts_.label_of[static_cast<std::size_t>(row[i])]));
-        }
+        const auto* row = number + parts_.label_at.index(margin.i, j + margin.j, k + margin.k);
+        for (int i = 0; i < n.i; ++i) label.push_back(static_cast<std::uint32_t>(row[i]));
       }
     }
   });
@@ -503,7 +468,8 @@ double inside_volume(const Volume& field, int threads) {
              // Near the surface a point counts in part: it stands for a 32nd along each axis.
              double inside = least >= 0 ? kPointsOfVoxel : 0;
              for (int n = 0; n < kPointsOfVoxel && least < 0 && most >= 0; ++n) {
-               inside += std::clamp(0.5 + (2 * kPointsOfOctant) * value_at(c, n) / (most - least), 0.0, 1.0);
+               inside += std::clamp(0.5 + (2 * kPointsOfOctant) * value_at(c, n) / (most - least),
+                                    0.0, 1.0);
              }
              sum += inside * field.share_of({i, j, k});
            }

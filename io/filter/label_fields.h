@@ -18,10 +18,11 @@
 // Where only two labels meet, w_L s_L = w_M s_M is s_L = w_M / (w_L + w_M), an isovalue of the
 // indicator.
 //
-// What is weighed are the parts of labels (io/filter/label_parts.h), each against those of other
-// labels; w_L s_L is the largest of its parts' there. Labels of one size are weighed alike, and all
-// sums are the same in a mirrored volume, up to what rounds to one weight. Beyond the box the
-// outermost samples go on, also where volumes are measured.
+// So it is with the main part of each label (io/filter/label_parts.h). The weight of another part
+// is found in the same way against all other labels with the weights of their main parts, and w_L
+// s_L is the largest of the parts'. Labels of one size are weighed alike, and all sums are the same
+// in a mirrored volume, up to what rounds to one weight. Beyond the box the outermost samples go
+// on, also where volumes are measured.
 //
 // Without a median each sample stays with its label: there f_L is at least a fifth of the largest
 // other.
@@ -70,23 +71,20 @@ class LabelFields {
 
  private:
   struct Rivals;
-  // The parts that are compared with one: all of other labels, with their weights; the larger ones;
-  // or all, where others have the weight of a ball.
-  enum class Others : std::uint8_t { all, larger, guessed };
 
-  std::size_t index_of(std::int64_t label) const;
+  std::size_t number_of(std::int64_t label) const;
   std::vector<std::size_t> parts_of(std::size_t label) const;
-  bool is_larger(std::size_t m, std::size_t n) const;
   SampleExtent box(const LabelSamples& of, int times) const;
-  Volume smoothed(std::size_t part, const SampleExtent& box) const;
-  std::vector<LabelSamples> near(std::size_t part) const;
-  Rivals rivals(std::size_t part, Others others) const;
-  double weight_of_ball(std::size_t part) const;
-  void weigh(std::vector<std::uint8_t> wanted);
   SampleExtent box_of_label(std::size_t label) const;
-  template <class Value>
-  std::vector<float> largest_of_parts(std::size_t label, const SampleExtent& within, float none,
-                                      Value&& value) const;
+  Volume smoothed(const Volume& numbers, std::size_t number, const SampleExtent& box) const;
+  std::vector<std::size_t> labels_near(const SampleExtent& box) const;
+  Rivals rivals(std::size_t part, bool is_larger_only) const;
+  void weigh(std::vector<std::uint8_t> wanted);
+  void weigh_parts(std::size_t label);
+  bool is_larger(std::size_t m, std::size_t n) const;
+  SampleExtent grown(SampleExtent box, int times) const;
+  void raise_to(std::size_t label, const SampleExtent& box_of_values,
+                std::vector<float>& values) const;
 
   Grid grid_;
   std::vector<LabelSamples> labels_;

@@ -105,52 +105,42 @@ DisjointSets bodies_of(const std::vector<std::uint32_t>& places, const Grid& gri
 }  // namespace
 
 LabelParts find_parts(const Segmentation& samples, std::span<const LabelSamples> labels,
-                      std::span<const std::int64_t> united, Index3 margin, std::string_view name,
-                      int threads) {
+                      std::span<const std::int64_t> united, Index3 margin, bool may_split,
+                      std::string_view name, int threads) {
   const Grid grid = with_margin(samples.volume, margin);
-  std::vector<std::uint32_t> part =
+  const std::vector<std::uint32_t> label =
       places_of_labels(samples, labels, united, grid, margin, threads);
-  DisjointSets bodies = bodies_of(part, grid);
-  std::vector<std::uint32_t> body = bodies.take_numbers();
   std::vector<std::size_t> label_of(labels.size());
   for (std::size_t n = 0; n < labels.size(); ++n) label_of[n] = n;
-  // Of each body: its samples, its box, its label, and in the end its part.
-  struct Body {
-    std::uint64_t samples = 0;
-    Index3 first{1 << 30, 1 << 30, 1 << 30}, last{0, 0, 0};
-    std::uint32_t label = 0, part = 0;
-  };
-  std::vector<Body> all;
-  const Index3 n = grid.dims();
-  for (int k = 0; k < n.k; ++k) {
-    for (int j = 0; j < n.j; ++j) {
-      for (int i = 0; i < n.i; ++i) {
-        const std::size_t at = grid.index(i, j, k);
-        if (body[at] == all.size()) all.emplace_back();
-        Body& own = all[body[at]];
-        ++own.samples;
-        own.label = part[at];
-        const Index3 here{i, j, k};
-        for (int axis = 0; axis < 3; ++axis) {
-          own.first[axis] = std::min(own.first[axis], here[axis]);
-          own.last[axis] = std::max(own.last[axis], here[axis]);
-        }
-      }
-    }
-  }
+  const Volume label_at = Volume::from_samples(grid, label);
+  std::vector<LabelSamples> all = find_labels(label_at, name, threads);
+  if (!may_split) return {label_at, label_at, margin, all, all, std::move(label_of)};
+
+  const std::vector<std::uint32_t> body = bodies_of(label, grid).take_numbers();
+  const std::vector<LabelSamples> bodies =
+      find_labels(Volume::from_samples(grid, body), name, threads);
+  std::vector<std::uint32_t> label_of_body(bodies.size()), part_of_body;
+  for (std::size_t at = 0; at < body.size(); ++at) label_of_body[body[at]] = label[at];
   std::vector<std::uint64_t> largest(labels.size());
-  for (const Body& b : all) largest[b.label] = std::max(largest[b.label], b.samples);
-  for (Body& b : all) {
-    b.part = b.label;
-    const Index3 d = SampleExtent{b.first, b.last}.dims();
-    const std::uint64_t box = std::uint64_t(d.i) * d.j * d.k;
-    if (b.samples == largest[b.label] || box > kMostInBox + kMostPerSample * b.samples) continue;
-    b.part = static_cast<std::uint32_t>(label_of.size());
-    label_of.push_back(b.label);
+  for (std::size_t n = 0; n < bodies.size(); ++n) {
+    std::uint64_t& most = largest[label_of_body[n]];
+    most = std::max(most, bodies[n].samples);
   }
-  for (std::size_t at = 0; at < part.size(); ++at) part[at] = all[body[at]].part;
-  const Volume of_sample = Volume::from_samples(grid, part);
-  return {of_sample, margin, find_labels(of_sample, name, threads), std::move(label_of)};
+  for (std::size_t n = 0; n < bodies.size(); ++n) {
+    const std::uint32_t own = label_of_body[n];
+    const Index3 d = SampleExtent{bodies[n].first, bodies[n].last}.dims();
+    const bool is_main =
+        bodies[n].samples == largest[own] ||
+        std::uint64_t(d.i) * d.j * d.k > kMostInBox + kMostPerSample * bodies[n].samples;
+    part_of_body.push_back(is_main ? own : static_cast<std::uint32_t>(label_of.size()));
+    if (!is_main) label_of.push_back(own);
+  }
+  std::vector<std::uint32_t> part;
+  part.reserve(body.size());
+  for (const std::uint32_t b : body) part.push_back(part_of_body[b]);
+  const Volume part_at = Volume::from_samples(grid, part);
+  return {label_at,           part_at, margin, std::move(all), find_labels(part_at, name, threads),
+          std::move(label_of)};
 }
 
 }  // namespace deliso

@@ -15,18 +15,20 @@
 namespace deliso {
 
 struct LabelParts {
-  // The samples by the number of their part, in a box that is larger by `margin` on all sides:
-  // there the outermost samples go on.
-  Volume of_sample;
+  // The samples by the number of their label and of their part, in a box that is larger by `margin`
+  // on all sides: there the outermost samples go on.
+  Volume label_at, part_at;
   Index3 margin;
-  std::vector<LabelSamples> parts;    // in the larger box; `label` is the part's number
-  std::vector<std::size_t> label_of;  // of each part, its label's place in `labels`
+  // In the larger box; `label` is the number.
+  std::vector<LabelSamples> labels, parts;
+  std::vector<std::size_t> label_of;  // of each part
 };
 
-// `labels` are all of the volume, those of `united` as one, named by the first of them. Part n is
-// the main one of labels[n]; the others follow. pre: the volume is no block.
+// `labels` are all of the volume, those of `united` as one, named by the first of them; their
+// numbers are their places there. Part n is the main one of label n; the others follow.
+// `may_split`: otherwise they are all. pre: the volume is no block.
 LabelParts find_parts(const Segmentation& samples, std::span<const LabelSamples> labels,
-                      std::span<const std::int64_t> united, Index3 margin, std::string_view name,
-                      int threads);
+                      std::span<const std::int64_t> united, Index3 margin, bool may_split,
+                      std::string_view name, int threads);
 
 }  // namespace deliso
