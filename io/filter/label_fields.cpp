@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "base/check.h"
 #include "base/elementary.h"
@@ -21,7 +22,8 @@ namespace {
 constexpr std::size_t kSlicesOfSum = 8;
 constexpr double kLargestWeight = 1e9;  // a Gaussian of kLargestSigma spreads a voxel over 1.6e7
 constexpr float kLeastRival = 1e-30F;   // less than any weighted indicator
-constexpr int kMostMargin = 16;         // samples beyond the box; those further on are reflected
+constexpr std::size_t kManyParts = 8;
+constexpr int kMostMargin = 16;  // samples beyond the box; those further on are reflected
 
 // The points of a voxel at which a field is measured: 16 in an octant, and their mirror images.
 // Along each axis they have 32 places (Korobov 1959): surfaces of labels are often in planes of the
@@ -219,7 +221,8 @@ LabelFields::LabelFields(const Segmentation& samples, std::vector<LabelSamples> 
       name_(name),
       threads_(threads),
       parts_(find_parts(samples, labels_, united_, margin_of(reach_), filter.median == 0, name,
-                        threads)) {}
+                        threads)),
+      of_label_(labels_.size()) {}
 
 std::size_t LabelFields::number_of(std::int64_t label) const {
   const bool is_united = std::ranges::find(united_, label) != united_.end();
@@ -264,39 +267,40 @@ SampleExtent LabelFields::box_of_label(std::size_t label) const {
 
 // Returns the smoothed indicator of the samples of a number; within the reach of the box's inner
 // faces it is wrong.
-Volume LabelFields::smoothed(const Volume& numbers, std::size_t number,
-                             const SampleExtent& box) const {
+Volume LabelFields::smoothed(const Volume& numbers, std::size_t number, const SampleExtent& box,
+                             int threads) const {
   const auto one = static_cast<std::int64_t>(number);
-  Volume field = label_indicator(numbers, std::span(&one, 1), box, threads_);
-  if (filter_.median > 0) field = median(field, filter_.median, threads_);
-  return gaussian(field, filter_.sigma, threads_);
+  Volume field = label_indicator(numbers, std::span(&one, 1), box, threads);
+  if (filter_.median > 0) field = median(field, filter_.median, threads);
+  return gaussian(field, filter_.sigma, threads);
 }
 
 // Returns the labels from which a filter reaches the box.
 std::vector<std::size_t> LabelFields::labels_near(const SampleExtent& box) const {
   std::vector<std::size_t> numbers;
-  for (const LabelSamples& l : find_labels(parts_.label_at, name_, threads_, grown(box, 1))) {
+  for (const LabelSamples& l : find_labels(parts_.label_at, name_, 1, grown(box, 1))) {
     numbers.push_back(static_cast<std::size_t>(l.label));
   }
   return numbers;
 }
 
 // The others are whole labels, with the weights of their main parts: all, or the larger ones.
-LabelFields::Rivals LabelFields::rivals(std::size_t part, bool is_larger_only) const {
+LabelFields::Rivals LabelFields::rivals(std::size_t part, bool is_larger_only, int threads) const {
   const std::size_t label = parts_.label_of[part];
   const SampleExtent own_box = box(parts_.parts[part], 1), reached = grown(own_box, 1);
-  Volume own = smoothed(parts_.part_at, part, own_box);
+  Volume own = smoothed(parts_.part_at, part, own_box, threads);
   std::vector<float> largest(own.sample_count());
   std::vector<double> sum(own.sample_count());
   for (const std::size_t other : labels_near(own_box)) {
     if (other == label || (is_larger_only && !is_larger(other, label))) continue;
-    const SampleExtent from = common(reached, box(parts_.labels[other], 1)),
-                       both = common(from, own_box);
+    const std::optional<Volume>& all = of_label_[other];
+    const SampleExtent whole = box(parts_.labels[other], 1),
+                       from = all ? whole : common(reached, whole), both = common(from, own_box);
     if (both.dims().i <= 0 || both.dims().j <= 0 || both.dims().k <= 0) continue;
-    const Volume s = smoothed(parts_.label_at, other, from);
+    const Volume s = all ? *all : smoothed(parts_.label_at, other, from, threads);
     const double weight = parts_.parts[other].weight;
     s.visit([&](const auto* values) {
-      for_each_task(threads_, static_cast<std::size_t>(both.dims().k), [&](std::size_t slice) {
+      for_each_task(threads, static_cast<std::size_t>(both.dims().k), [&](std::size_t slice) {
         const int k = both.first.k + static_cast<int>(slice);
         for (int j = both.first.j; j <= both.last.j; ++j) {
           const auto* row =
@@ -340,7 +344,7 @@ void LabelFields::weigh(std::vector<std::uint8_t> wanted) {
   }
   for (const std::size_t n : order) {
     if (wanted[n] == 0 || parts_.parts[n].weight > 0) continue;
-    const Rivals of = rivals(n, true);
+    const Rivals of = rivals(n, true, threads_);
     parts_.parts[n].weight = balanced_weight(of.own, of.largest, of.sum, threads_);
   }
   for (std::size_t n = 0; n < labels_.size(); ++n) labels_[n].weight = parts_.parts[n].weight;
@@ -350,17 +354,20 @@ void LabelFields::weigh(std::vector<std::uint8_t> wanted) {
 void LabelFields::weigh_parts(std::size_t label) {
   std::vector<std::uint8_t> wanted(labels_.size());
   wanted[label] = 1;
-  const std::vector<std::size_t> parts = parts_of(label);
-  if (parts.size() > 1) {
-    for (const std::size_t m : labels_near(box(parts_.labels[label], 1))) wanted[m] = 1;
-  }
+  std::vector<std::size_t> parts = parts_of(label), near;
+  if (parts.size() > 1) near = labels_near(box(parts_.labels[label], 1));
+  for (const std::size_t m : near) wanted[m] = 1;
   weigh(std::move(wanted));
-  for (const std::size_t part : parts) {
-    LabelSamples& own = parts_.parts[part];
-    if (own.weight > 0) continue;
-    const Rivals of = rivals(part, false);
-    own.weight = balanced_weight(of.own, of.largest, of.sum, threads_);
+  std::erase_if(parts, [&](std::size_t part) { return parts_.parts[part].weight > 0; });
+  // Of many parts all ask for the same labels.
+  for (const std::size_t m : near) {
+    if (parts.size() <= kManyParts || m == label || of_label_[m]) continue;
+    of_label_[m] = smoothed(parts_.label_at, m, box(parts_.labels[m], 1), threads_);
   }
+  for_each_task(threads_, parts.size(), [&](std::size_t n) {
+    const Rivals of = rivals(parts[n], false, 1);
+    parts_.parts[parts[n]].weight = balanced_weight(of.own, of.largest, of.sum, 1);
+  });
 }
 
 const std::vector<LabelSamples>& LabelFields::weighed() {
@@ -385,7 +392,7 @@ void LabelFields::raise_to(std::size_t label, const SampleExtent& box_of_values,
   for (const std::size_t part : parts_of(label)) {
     const SampleExtent from = common(reached, box(parts_.parts[part], 1)), both = common(from, to);
     if (both.dims().i <= 0 || both.dims().j <= 0 || both.dims().k <= 0) continue;
-    const Volume s = smoothed(parts_.part_at, part, from);
+    const Volume s = smoothed(parts_.part_at, part, from, part < labels_.size() ? threads_ : 1);
     const double weight = parts_.parts[part].weight;
     s.visit([&](const auto* v) {
       for (int k = both.first.k; k <= both.last.k; ++k) {

@@ -29,6 +29,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -76,9 +77,10 @@ class LabelFields {
   std::vector<std::size_t> parts_of(std::size_t label) const;
   SampleExtent box(const LabelSamples& of, int times) const;
   SampleExtent box_of_label(std::size_t label) const;
-  Volume smoothed(const Volume& numbers, std::size_t number, const SampleExtent& box) const;
+  Volume smoothed(const Volume& numbers, std::size_t number, const SampleExtent& box,
+                  int threads) const;
   std::vector<std::size_t> labels_near(const SampleExtent& box) const;
-  Rivals rivals(std::size_t part, bool is_larger_only) const;
+  Rivals rivals(std::size_t part, bool is_larger_only, int threads) const;
   void weigh(std::vector<std::uint8_t> wanted);
   void weigh_parts(std::size_t label);
   bool is_larger(std::size_t m, std::size_t n) const;
@@ -94,6 +96,7 @@ class LabelFields {
   std::string_view name_;
   int threads_;
   LabelParts parts_;
+  std::vector<std::optional<Volume>> of_label_;  // smoothed, of labels that many parts ask for
 };
 
 // Returns the volume of {f >= 0} in voxels, found from 64 points of each.
