@@ -4,7 +4,9 @@
 //
 // What it must be: each voxel is cut into 24 tetrahedra, from its middle over the middles of its
 // faces to the ends of its edges. The middle of a face, and that of a voxel, belongs to the body of
-// one of its corners: the one with the largest mean of the fields there. In a tetrahedron a point
+// one of its corners: the one with the largest mean of the fields there, but thin layers stay
+// closed. Of a face it is the body that has both ends of a diagonal, where the other diagonal's
+// differ; of a voxel one that keeps others apart on its surface. In a tetrahedron a point
 // belongs to the body with the largest sum of barycentric coordinates. So a body's region is a
 // regular neighborhood of the subcomplex that its points span, its boundary is a manifold, and no
 // direction is preferred: a mirrored volume has the mirrored topology (docs/proof.md).
@@ -13,8 +15,8 @@
 //   - an axis edge between two bodies has a point, where their fields are equal;
 //   - a face is divided by arcs between these points: straight, or from one or two points in the
 //     face where three bodies meet. Face middles decide which (face_regions.h);
-//   - a voxel whose bodies have one piece each on its surface, each a disk that meets all others,
-//     has the cone over the arcs, or a triangle or two;
+//   - a voxel whose bodies have one piece each on its surface, each a disk, has the cone over the
+//     arcs, or a triangle or two;
 //   - another one belongs to the body of its middle, but for layers at its faces: over each piece
 //   of
 //     another body a sheet, and over each arc between two such bodies a wall. Each sheet is a graph

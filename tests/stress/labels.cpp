@@ -27,6 +27,7 @@
 #include "more/bodies/bodies.h"
 #include "more/bodies/label_complex.h"
 #include "stress/in_child.h"
+#include "stress/label_mirrors.h"
 #include "stress/label_oracle.h"
 #include "stress/label_volumes.h"
 #include "stress/see_seed.h"
@@ -118,21 +119,6 @@ std::string fault_of_mesh(std::uint64_t seed, const Partition& partition, Verdic
   }
   if (!fault.empty()) see(seed, partition, mesh);
   return fault;
-}
-
-// Returns in which mirror image a body has another topology; empty if in none.
-std::string fault_of_mirrors(const LabelVolume& labels, const Partition& partition) {
-  const LabelOracle own(partition);
-  for (int axis = 0; axis < 3; ++axis) {
-    const Partition other = partition_of(mirrored(labels, axis));
-    const LabelOracle image(other);
-    for (BodyId body = 0; body < partition.size(); ++body) {
-      if (image.closed(body) == own.closed(body) && image.open(body) == own.open(body)) continue;
-      return text("mirrored along ", axis, ", body ", body, ": ", text_of(image.open(body)),
-                  ", not ", text_of(own.open(body)));
-    }
-  }
-  return {};
 }
 
 Verdict run(std::uint64_t seed, bool only_complex) {

@@ -267,6 +267,76 @@ TEST_CASE("each body of a mask has the field that it would have as a label") {
   }
 }
 
+TEST_CASE("bodies of one label do not take space from each other") {
+  const Volume mask = sampled<std::uint8_t>({20, 11, 11}, {1, 1, 1}, [](int i, int j, int k) {
+    const bool is_in = j > 2 && j < 8 && k > 2 && k < 8;
+    return is_in && ((i > 2 && i < 8) || (i > 9 && i < 13));
+  });
+  LabelFields fields = fields_of(mask, {0, {1, 1, 1}});
+  const Volume one = fields.field(1), zero = fields.field(0);
+  for_each_index({20, 11, 11}, [&](int i, int j, int k) {
+    const double value = sample_of_all(one, {i, j, k});
+    if (value > -1) CHECK(value == -sample_of_all(zero, {i, j, k}));
+  });
+}
+
+TEST_CASE("the volume inside a plane is exact, wherever the plane is") {
+  for (const double at : {3.02, 3.37, 3.5, 3.81, 4.0}) {
+    const Volume field = sampled<float>({8, 5, 4}, {1, 1, 1}, [&](int i, int j, int k) {
+      return static_cast<float>(i - at) + 0.F * static_cast<float>(j * k);
+    });
+    CHECK(inside_volume(field) == doctest::Approx((7 - at) * 4 * 3).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("parts are bodies whose samples are neighbors by faces, edges or corners") {
+  Random random(12);
+  const Index3 n{9, 8, 7};
+  const Volume volume = sampled<std::uint8_t>(
+      n, {1, 1, 1}, [&](int, int, int) { return random.below(6) == 0 ? 1 + random.below(2) : 0; });
+  const std::vector<LabelSamples> labels = find_labels(volume, "v");
+  const LabelParts found = find_parts(volume, labels, {}, {0, 0, 0}, true, "v", 1);
+  // Bodies by flooding from each sample.
+  std::vector<int> body(volume.sample_count(), -1);
+  int bodies = 0;
+  for (std::size_t seed = 0; seed < body.size(); ++seed) {
+    if (body[seed] >= 0) continue;
+    std::vector<std::size_t> open{seed};
+    body[seed] = bodies;
+    while (!open.empty()) {
+      const auto at = static_cast<int>(open.back());
+      open.pop_back();
+      const Index3 here{at % n.i, at / n.i % n.j, at / n.i / n.j};
+      for_each_index({3, 3, 3}, [&](int i, int j, int k) {
+        const Index3 to = here + Index3{i - 1, j - 1, k - 1};
+        if (to.i < 0 || to.j < 0 || to.k < 0 || to.i >= n.i || to.j >= n.j || to.k >= n.k) return;
+        const std::size_t next = volume.index(to.i, to.j, to.k);
+        if (body[next] >= 0 ||
+            volume.sample(to.i, to.j, to.k) != volume.sample(here.i, here.j, here.k)) {
+          return;
+        }
+        body[next] = bodies;
+        open.push_back(next);
+      });
+    }
+    ++bodies;
+  }
+  // Samples of one body are in one part, and those of two are not but in a label's main part.
+  std::vector<int> part_of(static_cast<std::size_t>(bodies), -1), body_of(found.parts.size(), -1);
+  for_each_index({n.k, n.j, n.i}, [&](int k, int j, int i) {
+    const auto part = static_cast<int>(found.part_at.sample(i, j, k));
+    const int own = body[volume.index(i, j, k)];
+    int& known = part_of[static_cast<std::size_t>(own)];
+    CHECK((known == -1 || known == part));
+    known = part;
+    if (part < static_cast<int>(labels.size())) return;
+    int& other = body_of[static_cast<std::size_t>(part)];
+    CHECK((other == -1 || other == own));
+    other = own;
+  });
+  CHECK(found.parts.size() > labels.size() + 5);
+}
+
 TEST_CASE("a label next to the box has the field that it has far from it") {
   const auto cube = [](int margin) {
     const int n = 6 + 2 * margin;

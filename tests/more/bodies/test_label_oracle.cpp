@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "stress/label_mirrors.h"
 #include "stress/label_volumes.h"
 
 using namespace deliso;
@@ -15,10 +16,26 @@ using namespace deliso::stress;
 TEST_CASE("T_L bounds each label by a manifold with the topology of its subcomplex") {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);
-    const Partition partition = partition_of(make_label_volume(seed, 6));
+    const LabelVolume labels = make_label_volume(seed, 6);
+    const Partition partition = partition_of(labels);
+    if (labels.median == 0) {
+      const std::vector<LabelSamples> found = find_labels(labels.volume, "labels");
+      for_each_index(labels.volume.dims(), [&](int i, int j, int k) {
+        CHECK(static_cast<double>(found[partition.body_at({i, j, k})].label) ==
+              labels.volume.sample(i, j, k));
+      });
+    }
     const int axis = static_cast<int>(seed % 3);
     const int cut = partition.shape().voxels()[axis] / 2;
     CHECK(complex_fault(partition, LabelOracle(partition), axis, cut) == "");
+  }
+}
+
+TEST_CASE("a mirrored volume has the mirrored topology") {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    const LabelVolume labels = make_label_volume(seed, 6);
+    CHECK(fault_of_mirrors(labels, partition_of(labels)) == "");
   }
 }
 
