@@ -39,7 +39,7 @@ constexpr int kNewtonSteps = 4;
 // 1 voxel two of 8,337 samples of noise came into another body.)
 constexpr double kFarthestCorner = 0.3;
 
-// Cosine of the least angle between facets at an edge after a change, unless one was less before.
+// Cosine of the least angle between facets at an edge after a change.
 constexpr double kSharpestPages = 0.97;
 
 // Attempts. Each keeps the vertices so many voxels around the faults of those before; after the
@@ -264,8 +264,7 @@ class SheetCoarsener {
     };
     across == kNoId ? any_facet(vertex(a), take) : take(mesh_.faces[across]);
     for (std::size_t n = 0; n < found; ++n) {
-      const double after = cosine_of_pages(p, q, apex[n], to);
-      if (after > kSharpestPages && after > cosine_of_pages(p, q, apex[n], from)) return true;
+      if (cosine_of_pages(p, q, apex[n], to) > kSharpestPages) return true;
     }
     return found == 2 &&
            are_in_order(p, q, apex[0], apex[1], from) != are_in_order(p, q, apex[0], apex[1], to);
@@ -292,21 +291,13 @@ class SheetCoarsener {
   // onto another. `before` and `after`: their third corners.
   static bool spoils_order(const Vec3& a, const Vec3& b, std::span<const Vec3> before,
                            const Vec3& c, const Vec3& d, std::span<const Vec3> after) {
-    const auto sharpest = [](const Vec3& p, const Vec3& q, std::span<const Vec3> apex) {
-      double cosine = -1;
-      for (std::size_t n = 0; n < apex.size(); ++n) {
-        for (std::size_t m = 0; m < n; ++m) {
-          cosine = std::max(cosine, cosine_of_pages(p, q, apex[n], apex[m]));
-        }
+    for (std::size_t n = 0; n < after.size(); ++n) {
+      for (std::size_t m = 0; m < n; ++m) {
+        if (cosine_of_pages(c, d, after[n], after[m]) > kSharpestPages) return true;
       }
-      return cosine;
-    };
-    if (before.size() == 3 && are_in_order(a, b, before[0], before[1], before[2]) !=
-                                  are_in_order(c, d, after[0], after[1], after[2])) {
-      return true;
     }
-    const double now = sharpest(c, d, after);
-    return now > kSharpestPages && now > sharpest(a, b, before);
+    return before.size() == 3 && are_in_order(a, b, before[0], before[1], before[2]) !=
+                                     are_in_order(c, d, after[0], after[1], after[2]);
   }
 
   // True if that holds for an edge from v to a neighbor on its curves, or one across from v, when v
