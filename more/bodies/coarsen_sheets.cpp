@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/disjoint_sets.h"
 #include "base/sorted_list.h"
 #include "base/stopwatch.h"
 #include "coarsen/waiting_vertices.h"
@@ -559,24 +558,6 @@ IdArray<VertexId, std::uint8_t> given_in(const Sheets& sheets, const SheetScope&
   return given;
 }
 
-// Marks the vertices of small components, too: these might be reversed, or passed by another.
-void keep_small(const Sheets& sheets, IdArray<VertexId, std::uint8_t>& kept) {
-  constexpr std::uint32_t kSmallComponent = 24;  // vertices
-  DisjointSets joined(sheets.points.size());
-  for (const SheetFacet& f : sheets.facets) {
-    joined.unite(f.v[0], f.v[1]);
-    joined.unite(f.v[0], f.v[2]);
-  }
-  std::vector<std::uint32_t> size(sheets.points.size());
-  for (VertexId v = 0; v < kept.size(); ++v) {
-    // A component with a vertex that is given is part of a larger one.
-    size[joined.find(v)] += kept[v] != 0 ? kSmallComponent : 1;
-  }
-  for (VertexId v = 0; v < kept.size(); ++v) {
-    if (size[joined.find(v)] < kSmallComponent) kept[v] = 1;
-  }
-}
-
 // Marks the vertices in the voxels of facets of `changed` at fault.
 void keep_near(std::span<const FaceId> faults, const Sheets& changed, const Sheets& before,
                double voxels_around, const Grid& shape, IdArray<VertexId, std::uint8_t>& kept) {
@@ -628,7 +609,6 @@ void coarsen_sheets(Sheets& sheets, const SheetScope& scope, Report& report) {
   Borders borders(scope.partition, scope.parameters, scope.distance, sheets, before);
   const IdArray<VertexId, std::uint8_t> given = given_in(sheets, scope);
   IdArray<VertexId, std::uint8_t> kept = given;
-  keep_small(sheets, kept);
   for (const double margin : kMargins) {
     CutSheets cut = before;
     SheetCoarsener(sheets, cut, borders, scope, kept, report.searches_coarsen).run();
