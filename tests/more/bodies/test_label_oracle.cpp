@@ -57,3 +57,23 @@ TEST_CASE("the mesh has the topology of T_L for each label and each sheet, in an
     CHECK(again.facets == mesh.facets);
   }
 }
+
+TEST_CASE("sheets that would cross are coarsened again, with their vertices near the crossing") {
+  struct Row {
+    std::uint64_t seed;
+    int block_side;
+    double max_distance;
+  };
+  for (const Row& row : {Row{184, 4, 0.5}, Row{359, Options::kUsualSide, 0.03}}) {
+    CAPTURE(row.seed);
+    const Partition partition = partition_of(make_label_volume(row.seed));
+    Options options;
+    options.block_side = row.block_side;
+    options.limits[Criterion::distance] = {row.max_distance, Length::Unit::voxel};
+    options.r_min = {1, Length::Unit::voxel};
+    Report report;
+    const InterfaceMesh mesh = mesh_interfaces(partition, options, report);
+    CHECK(report[Counter::coarsened_again] > 0);
+    CHECK(mesh_fault(partition, LabelOracle(partition), mesh, options.cap) == "");
+  }
+}
