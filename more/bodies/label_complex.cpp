@@ -428,16 +428,35 @@ class Complex {
     return between(corner(a), corner(b), x);
   }
 
-  // Where the fields of three bodies, linear between three corners, are equal.
+  // Where the fields of three bodies are equal: bilinear ones in the face if three meet there;
+  // linear ones between three corners if there are four, or two points.
   Vec3 in_face(int face, int which) const {
     const std::array<int, 4> c = face_corners(face);
     const int d = faces_[face].diagonal();
-    int first = d + 2 * which;
-    if (d < 0) {  // the corner between the two others and the pair of one body
-      for (first = 1; body_[c[(first + 1) % 4]] != body_[c[(first + 2) % 4]];) ++first;
-      first += 3;
+    if (d >= 0) {
+      const int first = d + 2 * which;
+      return tie_of_corners({c[first], c[(first + 1) % 4], c[(first + 2) % 4]});
     }
-    return tie_of_corners({c[first % 4], c[(first + 1) % 4], c[(first + 2) % 4]});
+    int lone = 0;  // the corner between the edges that are between others than the twin corners
+    while (body_[c[(lone + 1) % 4]] != body_[c[(lone + 2) % 4]]) ++lone;
+    const BodyId a = body_[c[(lone + 1) % 4]], b = body_[c[(lone + 3) % 4]], e = body_[c[lone]];
+    double u = 0.5, v = 0.5;
+    for (int step = 0; step < 6; ++step) {
+      const auto row = [&](BodyId other) {  // the difference, and its derivatives
+        std::array<double, 4> f{};
+        for (int n = 0; n < 4; ++n) f[n] = field(a)[c[n]] - field(other)[c[n]];
+        const double bottom = f[0] + u * (f[1] - f[0]), top = f[3] + u * (f[2] - f[3]);
+        return Vec3{(1 - v) * (f[1] - f[0]) + v * (f[2] - f[3]), top - bottom,
+                    bottom + v * (top - bottom)};
+      };
+      const Vec3 p = row(b), q = row(e);
+      const double det = p.x * q.y - p.y * q.x;
+      if (!(std::fabs(det) > 1e-9)) break;
+      u = std::clamp(u + (p.y * q.z - q.y * p.z) / det, kFromEnds, 1 - kFromEnds);
+      v = std::clamp(v + (q.x * p.z - p.x * q.z) / det, kFromEnds, 1 - kFromEnds);
+    }
+    return between(corner(c[0]), corner(c[1]), u) +
+           (between(corner(c[0]), corner(c[3]), v) - corner(c[0]));
   }
 
   Vec3 tie_of_corners(const std::array<int, 3>& n) const {

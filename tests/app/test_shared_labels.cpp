@@ -283,8 +283,9 @@ TEST_CASE("the report of common surfaces: topology, borders, caps, and a number 
   const std::vector<std::array<std::int64_t, 2>> expected{
       {-6, 2}, {-6, 5}, {-4, 2}, {-4, 5}, {-2, 5}, {-1, 2}, {0, 2}, {0, 5}, {3, 2}, {5, 2}};
   CHECK(borders == expected);
-  // Caps without the background's: 8 x 6.5, 8 x 5.5, and two of 6.5 x 5.5.
-  CHECK(area == doctest::Approx(8 * 6.5 + 8 * 5.5 + 2 * 6.5 * 5.5).epsilon(0.02));
+  // Caps without the background's: 8 x 6.5, 8 x 5.5, and two of 6.5 x 5.5. For so few vertices the
+  // bound on the distance is two voxels.
+  CHECK(area == doctest::Approx(8 * 6.5 + 8 * 5.5 + 2 * 6.5 * 5.5).epsilon(0.03));
   const std::string report = report_text(run);
   for (const char* words : {"\nshared    ", "4 pairs of labels, no crossings, smallest angle ",
                             "\ncount     ", "\nborder    5 and 2: ", "\ncost      read "}) {
