@@ -29,7 +29,8 @@ std::string ball(double radius) {
   std::string bytes;
   for_each_index({kSide, kSide, kSide}, [&](int i, int j, int k) {
     const double r = std::hypot(i - 11.5, j - 11.5, k - 11.5);
-    bytes += static_cast<char>(std::clamp(100 + 10 * (radius - r), 0.0, 255.0));
+    const double value = std::clamp(100 + 10 * (radius - r), 0.0, 255.0);
+    bytes += static_cast<char>(static_cast<unsigned char>(value));
   });
   return bytes;
 }
