@@ -22,6 +22,7 @@ Grid with_margin(const Grid& grid, Index3 margin) {
     if (at.empty()) continue;
     const double before = at[1] - at[0], after = at.back() - at[at.size() - 2];
     std::vector<double> more;
+    more.reserve(at.size() + 2 * static_cast<std::size_t>(margin[axis]));
     for (int n = 0; n < margin[axis]; ++n) more.push_back(n * before);
     for (const double x : at) more.push_back(x + margin[axis] * before);
     for (int n = 0; n < margin[axis]; ++n) more.push_back(more.back() + after);
@@ -29,6 +30,12 @@ Grid with_margin(const Grid& grid, Index3 margin) {
   }
   return Grid(grid.dims() + margin + margin, grid.spacing(), SampleType::u32)
       .with_places(std::move(places), "volume");
+}
+
+template <class T>
+std::int64_t label_of(T sample, std::span<const std::int64_t> ids) {
+  const auto value = static_cast<std::int64_t>(sample);
+  return ids.empty() ? value : ids[static_cast<std::size_t>(value)];
 }
 
 // Returns per sample the place of its label, in the larger box.
@@ -54,8 +61,7 @@ std::vector<std::uint32_t> places_of_labels(const Segmentation& of,
           if (i > 0 && row[from] == row[std::max(0, std::min(from, i - 1 - margin.i))]) {
             to[i] = to[i - 1];
           } else {
-            const auto value = static_cast<std::int64_t>(row[from]);
-            to[i] = place(of.ids.empty() ? value : of.ids[static_cast<std::size_t>(value)]);
+            to[i] = place(label_of(row[from], of.ids));
           }
         }
       }

@@ -44,7 +44,8 @@ Rgb category_color(std::size_t number) {
   if (number < kCategories) return kind;
   // Towards black or white; by golden sections, so that none of hundreds is like another.
   constexpr double kGolden = 0.6180339887498949, kMost = 1.2;
-  const double turns = kGolden * static_cast<double>(number / kCategories);
+  const std::size_t times = number / kCategories;
+  const double turns = kGolden * static_cast<double>(times);
   const double shade = turns - std::floor(turns) - 0.5;
   return mixed(kind, shade < 0 ? Rgb{0, 0, 0} : Rgb{255, 255, 255}, kMost * std::fabs(shade));
 }
