@@ -34,6 +34,7 @@ Grid with_margin(const Grid& grid, Index3 margin) {
 
 template <class T>
 std::int64_t label_of(T sample, std::span<const std::int64_t> ids) {
+  // NOLINTNEXTLINE(bugprone-signed-char-misuse): samples of int8 are numbers.
   const auto value = static_cast<std::int64_t>(sample);
   return ids.empty() ? value : ids[static_cast<std::size_t>(value)];
 }
