@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 #include "base/disjoint_sets.h"
@@ -39,18 +40,23 @@ std::int64_t label_of(T sample, std::span<const std::int64_t> ids) {
   return ids.empty() ? value : ids[static_cast<std::size_t>(value)];
 }
 
+using Numbers = std::vector<std::uint32_t>;
+
+Volume volume_of(const std::shared_ptr<const Numbers>& numbers, const Grid& grid) {
+  return {grid, reinterpret_cast<const std::byte*>(numbers->data()), numbers};
+}
+
 // Returns per sample the place of its label, in the larger box.
-std::vector<std::uint32_t> places_of_labels(const Segmentation& of,
-                                            std::span<const LabelSamples> labels,
-                                            std::span<const std::int64_t> united, const Grid& grid,
-                                            Index3 margin, int threads) {
+Numbers places_of_labels(const Segmentation& of, std::span<const LabelSamples> labels,
+                         std::span<const std::int64_t> united, const Grid& grid, Index3 margin,
+                         int threads) {
   const auto place = [&](std::int64_t label) {
     if (std::ranges::find(united, label) != united.end()) label = united.front();
     return static_cast<std::uint32_t>(
         std::ranges::lower_bound(labels, label, {}, &LabelSamples::label) - labels.begin());
   };
   const Index3 n = grid.dims(), last = of.volume.voxels();
-  std::vector<std::uint32_t> places(grid.sample_count());
+  Numbers places(grid.sample_count());
   of.volume.visit([&](const auto* samples) {
     for_each_task(threads, static_cast<std::size_t>(n.k), [&](std::size_t slice) {
       const int k = static_cast<int>(slice), k_in = std::clamp(k - margin.k, 0, last.k);
@@ -72,7 +78,7 @@ std::vector<std::uint32_t> places_of_labels(const Segmentation& of,
 }
 
 // Joins samples of one label that are neighbors by faces, edges or corners.
-DisjointSets bodies_of(const std::vector<std::uint32_t>& places, const Grid& grid) {
+DisjointSets bodies_of(const Numbers& places, const Grid& grid) {
   const Index3 n = grid.dims();
   DisjointSets bodies(places.size());
   for (int k = 0; k < n.k; ++k) {
@@ -115,19 +121,18 @@ LabelParts find_parts(const Segmentation& samples, std::span<const LabelSamples>
                       std::span<const std::int64_t> united, Index3 margin, bool may_split,
                       std::string_view name, int threads) {
   const Grid grid = with_margin(samples.volume, margin);
-  const std::vector<std::uint32_t> label =
-      places_of_labels(samples, labels, united, grid, margin, threads);
+  const auto label = std::make_shared<const Numbers>(
+      places_of_labels(samples, labels, united, grid, margin, threads));
   std::vector<std::size_t> label_of(labels.size());
   for (std::size_t n = 0; n < labels.size(); ++n) label_of[n] = n;
-  const Volume label_at = Volume::from_samples(grid, label);
+  const Volume label_at = volume_of(label, grid);
   std::vector<LabelSamples> all = find_labels(label_at, name, threads);
   if (!may_split) return {label_at, label_at, margin, all, all, std::move(label_of)};
 
-  const std::vector<std::uint32_t> body = bodies_of(label, grid).take_numbers();
-  const std::vector<LabelSamples> bodies =
-      find_labels(Volume::from_samples(grid, body), name, threads);
-  std::vector<std::uint32_t> label_of_body(bodies.size()), part_of_body;
-  for (std::size_t at = 0; at < body.size(); ++at) label_of_body[body[at]] = label[at];
+  const auto number = std::make_shared<Numbers>(bodies_of(*label, grid).take_numbers());
+  const std::vector<LabelSamples> bodies = find_labels(volume_of(number, grid), name, threads);
+  Numbers label_of_body(bodies.size()), part_of_body;
+  for (std::size_t at = 0; at < number->size(); ++at) label_of_body[(*number)[at]] = (*label)[at];
   std::vector<std::uint64_t> largest(labels.size());
   for (std::size_t n = 0; n < bodies.size(); ++n) {
     std::uint64_t& most = largest[label_of_body[n]];
@@ -142,10 +147,8 @@ LabelParts find_parts(const Segmentation& samples, std::span<const LabelSamples>
     part_of_body.push_back(is_main ? own : static_cast<std::uint32_t>(label_of.size()));
     if (!is_main) label_of.push_back(own);
   }
-  std::vector<std::uint32_t> part;
-  part.reserve(body.size());
-  for (const std::uint32_t b : body) part.push_back(part_of_body[b]);
-  const Volume part_at = Volume::from_samples(grid, part);
+  for (std::uint32_t& n : *number) n = part_of_body[n];  // from now on of parts
+  const Volume part_at = volume_of(number, grid);
   return {label_at,           part_at, margin, std::move(all), find_labels(part_at, name, threads),
           std::move(label_of)};
 }
