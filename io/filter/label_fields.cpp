@@ -6,12 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <optional>
 
 #include "base/check.h"
-#include "base/elementary.h"
 #include "base/parallel.h"
 #include "io/filter/gaussian.h"
 #include "io/filter/median.h"
@@ -22,8 +20,8 @@ namespace {
 constexpr std::size_t kSlicesOfSum = 8;
 constexpr double kLargestWeight = 1e9;  // a Gaussian of kLargestSigma spreads a voxel over 1.6e7
 constexpr float kLeastRival = 1e-30F;   // less than any weighted indicator
-constexpr std::size_t kManyParts = 8;
-constexpr int kMostMargin = 16;  // samples beyond the box; those further on are reflected
+constexpr std::size_t kManyParts = 8;   // then the labels that they ask for are smoothed once
+constexpr int kMostMargin = 16;         // samples beyond the box; those further on are reflected
 
 // The points of a voxel at which a field is measured: 16 in an octant, and their mirror images.
 // Along each axis they have 32 places (Korobov 1959): surfaces of labels are often in planes of the
@@ -240,14 +238,14 @@ std::vector<std::size_t> LabelFields::parts_of(std::size_t label) const {
   return parts;
 }
 
-// Returns the box of samples within this number of reaches, and one more. Beyond one reach and one
-// sample the smoothed indicator is 0.
-SampleExtent LabelFields::box(const LabelSamples& of, int times) const {
-  return grown({of.first, of.last}, times);
+// Return the box of samples within the filter's reach, and one more: beyond it the smoothed
+// indicator is 0.
+SampleExtent LabelFields::box(const LabelSamples& of) const {
+  return grown({of.first, of.last});
 }
-SampleExtent LabelFields::grown(SampleExtent box, int times) const {
+SampleExtent LabelFields::grown(SampleExtent box) const {
   for (int axis = 0; axis < 3; ++axis) {
-    const int margin = times * reach_[axis] + 1;
+    const int margin = reach_[axis] + 1;
     box.first[axis] = std::max(0, box.first[axis] - margin);
     box.last[axis] = std::min(parts_.part_at.dims()[axis] - 1, box.last[axis] + margin);
   }
@@ -278,7 +276,7 @@ Volume LabelFields::smoothed(const Volume& numbers, std::size_t number, const Sa
 // Returns the labels from which a filter reaches the box.
 std::vector<std::size_t> LabelFields::labels_near(const SampleExtent& box) const {
   std::vector<std::size_t> numbers;
-  for (const LabelSamples& l : find_labels(parts_.label_at, name_, 1, grown(box, 1))) {
+  for (const LabelSamples& l : find_labels(parts_.label_at, name_, 1, grown(box))) {
     numbers.push_back(static_cast<std::size_t>(l.label));
   }
   return numbers;
@@ -287,14 +285,14 @@ std::vector<std::size_t> LabelFields::labels_near(const SampleExtent& box) const
 // The others are whole labels, with the weights of their main parts: all, or the larger ones.
 LabelFields::Rivals LabelFields::rivals(std::size_t part, bool is_larger_only, int threads) const {
   const std::size_t label = parts_.label_of[part];
-  const SampleExtent own_box = box(parts_.parts[part], 1), reached = grown(own_box, 1);
+  const SampleExtent own_box = box(parts_.parts[part]), reached = grown(own_box);
   Volume own = smoothed(parts_.part_at, part, own_box, threads);
   std::vector<float> largest(own.sample_count());
   std::vector<double> sum(own.sample_count());
   for (const std::size_t other : labels_near(own_box)) {
     if (other == label || (is_larger_only && !is_larger(other, label))) continue;
     const std::optional<Volume>& all = of_label_[other];
-    const SampleExtent whole = box(parts_.labels[other], 1),
+    const SampleExtent whole = box(parts_.labels[other]),
                        from = all ? whole : common(reached, whole), both = common(from, own_box);
     if (both.dims().i <= 0 || both.dims().j <= 0 || both.dims().k <= 0) continue;
     const Volume s = all ? *all : smoothed(parts_.label_at, other, from, threads);
@@ -338,7 +336,7 @@ void LabelFields::weigh(std::vector<std::uint8_t> wanted) {
   for (std::size_t rank = order.size(); rank-- > 1;) {
     const std::size_t n = order[rank];
     if (wanted[n] == 0 || parts_.parts[n].weight > 0) continue;
-    for (const std::size_t m : labels_near(box(parts_.labels[n], 1))) {
+    for (const std::size_t m : labels_near(box(parts_.labels[n]))) {
       if (is_larger(m, n)) wanted[m] = 1;
     }
   }
@@ -355,14 +353,14 @@ void LabelFields::weigh_parts(std::size_t label) {
   std::vector<std::uint8_t> wanted(labels_.size());
   wanted[label] = 1;
   std::vector<std::size_t> parts = parts_of(label), near;
-  if (parts.size() > 1) near = labels_near(box(parts_.labels[label], 1));
+  if (parts.size() > 1) near = labels_near(box(parts_.labels[label]));
   for (const std::size_t m : near) wanted[m] = 1;
   weigh(std::move(wanted));
   std::erase_if(parts, [&](std::size_t part) { return parts_.parts[part].weight > 0; });
   // Of many parts all ask for the same labels.
   for (const std::size_t m : near) {
     if (parts.size() <= kManyParts || m == label || of_label_[m]) continue;
-    of_label_[m] = smoothed(parts_.label_at, m, box(parts_.labels[m], 1), threads_);
+    of_label_[m] = smoothed(parts_.label_at, m, box(parts_.labels[m]), threads_);
   }
   for_each_task(threads_, parts.size(), [&](std::size_t n) {
     const Rivals of = rivals(parts[n], false, 1);
@@ -387,10 +385,10 @@ const LabelSamples& LabelFields::weighed(std::int64_t label) {
 void LabelFields::raise_to(std::size_t label, const SampleExtent& box_of_values,
                            std::vector<float>& values) const {
   const SampleExtent to{box_of_values.first + parts_.margin, box_of_values.last + parts_.margin};
-  const SampleExtent reached = grown(to, 1);
+  const SampleExtent reached = grown(to);
   const Index3 n = to.dims();
   for (const std::size_t part : parts_of(label)) {
-    const SampleExtent from = common(reached, box(parts_.parts[part], 1)), both = common(from, to);
+    const SampleExtent from = common(reached, box(parts_.parts[part])), both = common(from, to);
     if (both.dims().i <= 0 || both.dims().j <= 0 || both.dims().k <= 0) continue;
     const Volume s = smoothed(parts_.part_at, part, from, part < labels_.size() ? threads_ : 1);
     const double weight = parts_.parts[part].weight;
@@ -418,7 +416,7 @@ Volume LabelFields::field(std::int64_t label) {
   const SampleExtent within = box_of_label(l);
   const Grid block = grid_.cropped(within.first, within.dims()).of_type(SampleType::f32);
   std::vector<float> own(block.sample_count()), others(block.sample_count(), kLeastRival);
-  for (const std::size_t m : labels_near(box(parts_.labels[l], 1))) {
+  for (const std::size_t m : labels_near(box(parts_.labels[l]))) {
     weigh_parts(m);
     raise_to(m, within, m == l ? own : others);
   }

@@ -12,11 +12,8 @@
 // The weights keep the volumes: with equal ones a Gaussian moves a surface towards its centers of
 // curvature, and thin labels vanish. The largest label has weight 1; the others follow by size.
 // Each has the weight at which it takes as much space from the larger labels as it leaves to them.
-// Smaller labels are not asked: their share of a point, s_M, belongs to neither side. But a label
-// that hardly meets larger ones is weighed against all others, where the smaller ones count with
-// the weight of a ball. So cells that fill a block without a background keep their volumes, too.
-// Where only two labels meet, w_L s_L = w_M s_M is s_L = w_M / (w_L + w_M), an isovalue of the
-// indicator.
+// Smaller labels are not asked: their share of a point, s_M, belongs to neither side. Where only
+// two labels meet, w_L s_L = w_M s_M is s_L = w_M / (w_L + w_M), an isovalue of the indicator.
 //
 // So it is with the main part of each label (io/filter/label_parts.h). The weight of another part
 // is found in the same way against all other labels with the weights of their main parts, and w_L
@@ -75,7 +72,7 @@ class LabelFields {
 
   std::size_t number_of(std::int64_t label) const;
   std::vector<std::size_t> parts_of(std::size_t label) const;
-  SampleExtent box(const LabelSamples& of, int times) const;
+  SampleExtent box(const LabelSamples& of) const;
   SampleExtent box_of_label(std::size_t label) const;
   Volume smoothed(const Volume& numbers, std::size_t number, const SampleExtent& box,
                   int threads) const;
@@ -84,7 +81,7 @@ class LabelFields {
   void weigh(std::vector<std::uint8_t> wanted);
   void weigh_parts(std::size_t label);
   bool is_larger(std::size_t m, std::size_t n) const;
-  SampleExtent grown(SampleExtent box, int times) const;
+  SampleExtent grown(SampleExtent box) const;
   void raise_to(std::size_t label, const SampleExtent& box_of_values,
                 std::vector<float>& values) const;
 
@@ -99,7 +96,7 @@ class LabelFields {
   std::vector<std::optional<Volume>> of_label_;  // smoothed, of labels that many parts ask for
 };
 
-// Returns the volume of {f >= 0} in voxels, found from 64 points of each.
+// Returns the volume of {f >= 0} in voxels, found from 128 points of each.
 double inside_volume(const Volume& field, int threads = 1);
 
 }  // namespace deliso

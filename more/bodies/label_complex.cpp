@@ -178,11 +178,12 @@ class Complex {
       return sum_around(f[0] + f[7], f[1] + f[6], f[3] + f[4], f[2] + f[5]);
     });
   }
-  // True if what others have of the surface is in pieces, not all with the same bodies.
-  bool keeps_apart(BodyId body) const {
+  // Joins the corners that hold(a, b), where they are neighbors or meet in the middle of a face.
+  template <class Hold>
+  DisjointSets pieces_where(Hold&& hold) const {
     DisjointSets pieces(8);
     const auto join = [&](int a, int b) {
-      if (body_[a] != body && body_[b] != body) pieces.unite(a, b);
+      if (hold(a, b)) pieces.unite(a, b);
     };
     for (int m = 0; m < 8; ++m) {
       for (int axis = 0; axis < 3; ++axis) join(m, m | 1 << axis);
@@ -191,6 +192,12 @@ class Complex {
       const int d = faces_[face].diagonal();
       if (d >= 0) join(face_corners(face)[d], face_corners(face)[d + 2]);
     }
+    return pieces;
+  }
+  // True if what others have of the surface is in pieces, not all with the same bodies.
+  bool keeps_apart(BodyId body) const {
+    DisjointSets pieces =
+        pieces_where([&](int a, int b) { return body_[a] != body && body_[b] != body; });
     std::array<std::uint64_t, 8> bodies{};
     for (int m = 0; m < 8; ++m) {
       const auto name = std::ranges::find(names_, body_[m]) - names_.begin();
@@ -204,24 +211,15 @@ class Complex {
     return false;
   }
 
+  std::array<bool, kPoints> points_of_arcs() const {
+    std::array<bool, kPoints> is_used{};
+    for (const FaceArc& arc : arcs_) is_used[arc.from] = is_used[arc.to] = true;
+    return is_used;
+  }
   // True if each body has one piece on the voxel's surface, a disk.
   bool is_simple() const {
-    DisjointSets pieces(8);
-    std::size_t points = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int m = 0; m < 8; ++m) {
-        const int other = m | 1 << axis;
-        if (other == m) continue;
-        if (body_[m] == body_[other]) pieces.unite(m, other);
-        points += body_[m] != body_[other];
-      }
-    }
-    for (int face = 0; face < 6; ++face) {
-      const std::array<int, 4> c = face_corners(face);
-      points += static_cast<std::size_t>(faces_[face].meetings());
-      const int d = faces_[face].diagonal();
-      if (d >= 0 && body_[c[d]] == body_[c[d + 2]]) pieces.unite(c[d], c[d + 2]);
-    }
+    DisjointSets pieces = pieces_where([&](int a, int b) { return body_[a] == body_[b]; });
+    const auto points = static_cast<std::size_t>(std::ranges::count(points_of_arcs(), true));
     std::size_t regions = 0;
     for (int m = 0; m < 8; ++m) regions += pieces.find(m) == static_cast<std::uint32_t>(m);
     const std::size_t bodies = names_.size();
@@ -277,8 +275,7 @@ class Complex {
     int points = 0;
     const int first = names_.size() > 2 ? kMeetings : kEdges;
     const int last = names_.size() > 2 ? kMiddles : kMeetings;
-    std::array<bool, kPoints> is_used{};
-    for (const FaceArc& arc : arcs_) is_used[arc.from] = is_used[arc.to] = true;
+    const std::array<bool, kPoints> is_used = points_of_arcs();
     for (int n = first; n < last; ++n) {
       if (!is_used[n]) continue;
       sum = sum + made_.sheets.points[point(n)];

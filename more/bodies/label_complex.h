@@ -17,10 +17,9 @@
 //     face where three bodies meet. Face middles decide which (face_regions.h);
 //   - a voxel whose bodies have one piece each on its surface, each a disk, has the cone over the
 //     arcs, or a triangle or two;
-//   - another one belongs to the body of its middle, but for layers at its faces: over each piece
-//   of
-//     another body a sheet, and over each arc between two such bodies a wall. Each sheet is a graph
-//     over the faces, seen from the middle;
+//   - another one belongs to the body of its middle, but for layers at its faces: a sheet over each
+//     piece of another body, and a wall over each arc between two such bodies. Each sheet is a
+//     graph over the faces, seen from the middle;
 //   - faces on the box have the regions themselves, which border on the bodies beyond.
 #pragma once
 

@@ -25,8 +25,8 @@ class Partition {
  public:
   // `shape`: of the whole; its samples are not read. The field of a body is a block of it, in
   // float32. It is not negative, and 0 beyond the block. `background`: a body that has no caps, and
-  // is in front of all others; kNoId: none. `kept`: the
-  // body of each sample, in whose field's block it is; empty: the fields say it.
+  // is in front of all others; kNoId: none. `kept`: the body of each sample, in whose field's block
+  // it is; empty: the fields say it.
   Partition(const Grid& shape, std::vector<Volume> fields, BodyId background, int threads,
             std::span<const BodyId> kept = {});
 
