@@ -254,6 +254,7 @@ inline LabelVolume make_label_volume(std::uint64_t seed, std::uint32_t longest =
   constexpr double kSmooth[] = {0.3, 0.5, 1, 2};
   LabelVolume made{Volume::from_samples(dims, spacing, samples), 0, kSmooth[random.below(4)]};
   if (random.below(6) == 0) made.median = 1 + static_cast<int>(random.below(2));
+  if (random.below(8) == 0) made.smooth = 0;
   return made;
 }
 
