@@ -25,10 +25,12 @@ constexpr int kMostMargin = 16;         // samples beyond the box; those further
 
 // The points of a voxel at which a field is measured: 16 in an octant, and their mirror images.
 // Along each axis they have 32 places (Korobov 1959): surfaces of labels are often in planes of the
-// grid, where 5 x 5 x 5 points have 5. Each row has the shares of the eight corners.
+// grid, where 5 x 5 x 5 points have 5. Each row has the points' shares of a corner, which have 18
+// bits.
 constexpr int kPointsOfOctant = 16, kPointsOfVoxel = 8 * kPointsOfOctant;
+using Points = std::array<float, kPointsOfVoxel>;
 constexpr auto kShares = [] {
-  std::array<std::array<double, 8>, kPointsOfVoxel> shares{};
+  std::array<Points, 8> shares{};
   for (int n = 0; n < kPointsOfVoxel; ++n) {
     const auto at = [n](int step, int axis) {
       const double x = ((n >> 3) * step % kPointsOfOctant + 0.5) / (2 * kPointsOfOctant);
@@ -38,17 +40,23 @@ constexpr auto kShares = [] {
     for (int m = 0; m < 8; ++m) {
       double share = 1;
       for (int axis = 0; axis < 3; ++axis) share *= (m >> axis & 1) != 0 ? p[axis] : 1 - p[axis];
-      shares[n][m] = share;
+      shares[m][n] = static_cast<float>(share);
     }
   }
   return shares;
 }();
 
-// The same sum in a mirrored voxel.
-double value_at(const Corners& c, int point) {
-  const std::array<double, 8>& share = kShares[point];
-  const auto opposite = [&](int m) { return share[m] * c[m] + share[7 - m] * c[7 - m]; };
-  return (opposite(0) + opposite(1)) + (opposite(2) + opposite(3));
+// Opposite corners first: so a mirrored voxel has the same sums.
+Points values_at_points(const Corners& corners) {
+  std::array<float, 8> c;
+  std::ranges::transform(corners, c.begin(), [](double at) { return static_cast<float>(at); });
+  const auto& s = kShares;
+  Points values;
+  for (int n = 0; n < kPointsOfVoxel; ++n) {
+    values[n] = ((s[0][n] * c[0] + s[7][n] * c[7]) + (s[1][n] * c[1] + s[6][n] * c[6])) +
+                ((s[2][n] * c[2] + s[5][n] * c[5]) + (s[3][n] * c[3] + s[4][n] * c[4]));
+  }
+  return values;
 }
 
 Volume volume_of(std::vector<float> samples, const Grid& like) {
@@ -148,6 +156,7 @@ double greatest_level(const Volume& own, const Volume& others) {
 void add_slice(const Volume& own, const Volume& others, const Volume& mass, double greatest, int k,
                Shares& shares) {
   const Index3 voxels = own.voxels();
+  const double scale = kBins / greatest;
   for (int j = 0; j < voxels.j; ++j) {
     for (int i = 0; i < voxels.i; ++i) {
       const Corners s = own.corners({i, j, k}), o = others.corners({i, j, k});
@@ -158,14 +167,14 @@ void add_slice(const Volume& own, const Volume& others, const Volume& mass, doub
         most = std::max(most, u);
       }
       if (most < kNegligible * greatest || least > 1 - kNegligible) continue;
-      const Corners r = mass.corners({i, j, k});
       const double voxel = own.share_of({i, j, k});
+      const Points own_at = values_at_points(s), others_at = values_at_points(o),
+                   mass_at = values_at_points(mass.corners({i, j, k}));
       for (int n = 0; n < kPointsOfVoxel; ++n) {
-        const double s_n = value_at(s, n), o_n = value_at(o, n);
-        if (!(s_n + o_n > 0)) continue;
-        const double u = s_n / (s_n + o_n);
-        const auto bin = std::min(static_cast<std::size_t>(kBins * (u / greatest)), kBins - 1);
-        shares.of_bin[bin] += voxel * (s_n + value_at(r, n));
+        const double s_n = own_at[n], both = s_n + others_at[n];
+        if (!(both > 0)) continue;
+        const auto bin = std::min(static_cast<std::size_t>(scale * (s_n / both)), kBins - 1);
+        shares.of_bin[bin] += voxel * (s_n + mass_at[n]);
         shares.own += voxel * s_n;
       }
     }
@@ -472,9 +481,11 @@ double inside_volume(const Volume& field, int threads) {
              const auto [least, most] = std::ranges::minmax(c);
              // Near the surface a point counts in part: it stands for a 32nd along each axis.
              double inside = least >= 0 ? kPointsOfVoxel : 0;
-             for (int n = 0; n < kPointsOfVoxel && least < 0 && most >= 0; ++n) {
-               inside += std::clamp(0.5 + (2 * kPointsOfOctant) * value_at(c, n) / (most - least),
-                                    0.0, 1.0);
+             if (least < 0 && most >= 0) {
+               const double scale = 2 * kPointsOfOctant / (most - least);
+               for (const float value : values_at_points(c)) {
+                 inside += std::clamp(0.5 + scale * static_cast<double>(value), 0.0, 1.0);
+               }
              }
              sum += inside * field.share_of({i, j, k});
            }

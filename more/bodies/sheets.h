@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "base/sorted_list.h"
 #include "mesh/tri_mesh.h"
 #include "more/bodies/partition.h"
 
@@ -25,11 +25,36 @@ struct SheetFacet {
 // Numbers the corners of facets (`v`) anew, from 0 on in their order. Returns their old numbers.
 template <class Facet>
 std::vector<VertexId> number_vertices(std::vector<Facet>& facets) {
+  std::uint32_t least = kNoId, most = 0;
+  for (const Facet& f : facets) {
+    for (const VertexId v : f.v) {
+      least = std::min(least, v.number());
+      most = std::max(most, v.number());
+    }
+  }
+  // 64 old numbers: which are used, and how many are before them.
+  struct Run {
+    std::uint64_t is_used = 0;
+    std::uint32_t before = 0;
+  };
+  std::vector<Run> runs(facets.empty() ? 0 : (most - least) / 64 + 1);
+  const auto bit = [least](VertexId v) { return std::uint64_t{1} << (v.number() - least) % 64; };
+  const auto run = [&](VertexId v) -> Run& { return runs[(v.number() - least) / 64]; };
+  for (const Facet& f : facets) {
+    for (const VertexId v : f.v) run(v).is_used |= bit(v);
+  }
   std::vector<VertexId> used;
-  for (const Facet& f : facets) used.insert(used.end(), f.v.begin(), f.v.end());
-  sort_unique(used);
+  for (std::size_t n = 0; n < runs.size(); ++n) {
+    runs[n].before = static_cast<std::uint32_t>(used.size());
+    for (std::uint64_t left = runs[n].is_used; left != 0; left &= left - 1) {
+      used.emplace_back(least + 64 * n + static_cast<std::size_t>(std::countr_zero(left)));
+    }
+  }
   for (Facet& f : facets) {
-    for (VertexId& v : f.v) v = VertexId(std::ranges::lower_bound(used, v) - used.begin());
+    for (VertexId& v : f.v) {
+      const Run& in = run(v);
+      v = VertexId(in.before + static_cast<std::size_t>(std::popcount(in.is_used & (bit(v) - 1))));
+    }
   }
   return used;
 }
