@@ -128,7 +128,7 @@ namespace {
 
 // Shares of points in bins of u = s / (s + O), where O is the largest of the others. Raising the
 // weight moves L's border from u = 1 to u = 0.
-constexpr std::size_t kBins = 4096;
+constexpr int kBins = 4096;
 constexpr double kNegligible = 1e-3;  // share of the greatest u, or of 1 - u
 struct Shares {
   std::vector<double> of_bin = std::vector<double>(kBins);  // s, and the larger labels' share
@@ -156,7 +156,7 @@ double greatest_level(const Volume& own, const Volume& others) {
 void add_slice(const Volume& own, const Volume& others, const Volume& mass, double greatest, int k,
                Shares& shares) {
   const Index3 voxels = own.voxels();
-  const double scale = kBins / greatest;
+  const auto scale = static_cast<float>(kBins / greatest);
   for (int j = 0; j < voxels.j; ++j) {
     for (int i = 0; i < voxels.i; ++i) {
       const Corners s = own.corners({i, j, k}), o = others.corners({i, j, k});
@@ -170,11 +170,14 @@ void add_slice(const Volume& own, const Volume& others, const Volume& mass, doub
       const double voxel = own.share_of({i, j, k});
       const Points own_at = values_at_points(s), others_at = values_at_points(o),
                    mass_at = values_at_points(mass.corners({i, j, k}));
+      std::array<int, kPointsOfVoxel> bin;
       for (int n = 0; n < kPointsOfVoxel; ++n) {
-        const double s_n = own_at[n], both = s_n + others_at[n];
-        if (!(both > 0)) continue;
-        const auto bin = std::min(static_cast<std::size_t>(scale * (s_n / both)), kBins - 1);
-        shares.of_bin[bin] += voxel * (s_n + mass_at[n]);
+        const float both = std::max(own_at[n] + others_at[n], kLeastRival);
+        bin[n] = std::min(static_cast<int>(scale * (own_at[n] / both)), kBins - 1);
+      }
+      for (int n = 0; n < kPointsOfVoxel; ++n) {
+        const double s_n = own_at[n];
+        shares.of_bin[bin[n]] += voxel * (s_n + mass_at[n]);
         shares.own += voxel * s_n;
       }
     }
@@ -191,26 +194,25 @@ double balanced_weight(const Volume& own, const Volume& others, const Volume& ma
          add_slice(own, others, mass, greatest, k, shares);
        })) {
     all.own += part.own;
-    for (std::size_t n = 0; n < kBins; ++n) all.of_bin[n] += part.of_bin[n];
+    for (int n = 0; n < kBins; ++n) all.of_bin[n] += part.of_bin[n];
   }
   if (!(all.own > 0)) return 1;  // it meets no larger label
   // From above, bin by bin. The shares of one are spread evenly between it and the next ones that
   // are not empty: along the grid's axes u has few values.
   double above = 0;
-  std::size_t last = kBins - 1, here = 0;
-  for (std::size_t n = kBins; n-- > 0;) {
+  int last = kBins - 1, here = 0;
+  for (int n = kBins; n-- > 0;) {
     if (!(all.of_bin[n] > 0)) continue;
     here = n;
     if (above + all.of_bin[n] >= all.own) break;
     above += all.of_bin[n];
     last = n;
   }
-  std::size_t next = here;
+  int next = here;
   while (next > 0 && !(all.of_bin[--next] > 0)) {
   }
   const double share = std::clamp((all.own - above) / all.of_bin[here], 0.0, 1.0);
-  const double twice =
-      (1 - share) * static_cast<double>(last + here) + share * static_cast<double>(next + here);
+  const double twice = (1 - share) * (last + here) + share * (next + here);
   const double level = (twice + 1) / 2 * greatest / kBins;
   return rounded_weight(std::clamp((1 - level) / level, 1 / kLargestWeight, kLargestWeight));
 }
