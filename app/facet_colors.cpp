@@ -54,8 +54,8 @@ FacetColors by_label(std::span<const MeshNotes> notes, const CommandLine& line) 
     std::vector<Rgb>& of_mesh = colors.of_mesh.emplace_back();
     if (notes[n].colors.empty() && notes[n].sides.empty()) {
       throw InputError("--color-by label: '", line.meshes[n],
-                       "' has no colors; a .glb, .3mf or .vtp of --label all has, and a .ply or "
-                       ".vtp of --shared");
+                       "' has no colors; a .glb, .3mf or .vtp of --label all has, and a .ply, "
+                       ".vtp or .glb of --shared");
     }
     for (const auto& [red, green, blue] : notes[n].colors) of_mesh.push_back({red, green, blue});
     if (!of_mesh.empty()) continue;

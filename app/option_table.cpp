@@ -197,8 +197,8 @@ constexpr OptionSpec kInputAndOutput[] = {
      }},
     {"--shared", 0, "FILE", kMeshOnly,
      "with --label all: one mesh of all labels, with common vertices where they meet; FILE has all "
-     "interfaces with the two labels of each triangle (PLY, VTP), and those on the volume's border "
-     "with --cap",
+     "interfaces with the two labels of each triangle (PLY, VTP; in GLB a part for each two, with "
+     "their names and a color), and those on the volume's border with --cap",
      [](Line& l, Text, Text v) { l.mesh.shared = v; }},
 };
 

@@ -344,7 +344,7 @@ std::string report_schema() {
   out.describe_report("mesh", [&] { add_run(out, MeshRun(line, input)); });
   const Source source{input.volume(), {}, {}, {}};
   out.describe_report(
-      "mesh", [&] { add_shared(out, SharedRun(line, source, {})); }, "with --label all --shared");
+      "mesh", [&] { add_shared(out, SharedRun(line, source)); }, "with --label all --shared");
   out.describe_report("check", [&] { add_check(out, "", false, input, {}); });
   out.describe_report(
       "check", [&] { add_comparison(out, {}, {}); }, "of two meshes");

@@ -48,7 +48,7 @@ void write_label_meshes(const SharedRun& run, std::span<const CommandLine> lines
 
 int run_shared(const Stopwatch& total, const Source& source, const CommandLine& line,
                std::span<const CommandLine> lines, ProgressBar& progress) {
-  SharedRun run(line, source, lines);
+  SharedRun run(line, source);
   make_shared_mesh(run, progress);
   progress.show("writing", 0);
   const Stopwatch watch;

@@ -20,6 +20,7 @@
 #include "io/files/input_file.h"
 #include "io/files/text_scan.h"
 #include "more/counts/expected_vertices.h"
+#include "view/render/color_map.h"
 
 namespace deliso {
 namespace {
@@ -203,10 +204,26 @@ double sharp_percent(const MeshQuality& quality) {
          static_cast<double>(quality.faces);
 }
 
+// Returns the runs of facets between two labels, or of one on a face of the box. Label 0 is never
+// behind.
+std::vector<MeshWriteOptions::Group> groups_of(const SharedRun& run) {
+  const auto name_of = [&](BodyId body) {
+    if (body >= run.labels.size()) return std::string("border");
+    const SharedLabel& l = run.labels[body];
+    return l.name.empty() ? text("label ", l.label.label) : l.name;
+  };
+  std::vector<MeshWriteOptions::Group> groups;
+  for (std::size_t f = 0; f < run.sides.size(); ++f) {
+    if (f > 0 && run.sides[f] == run.sides[f - 1]) continue;
+    const auto [front, behind] = run.mesh.facets[f].bodies;
+    groups.push_back({f, name_of(behind) + " / " + name_of(front), run.labels[behind].color});
+  }
+  return groups;
+}
+
 }  // namespace
 
-SharedRun::SharedRun(const CommandLine& command_line, const Source& source,
-                     std::span<const CommandLine> lines)
+SharedRun::SharedRun(const CommandLine& command_line, const Source& source)
     : line(command_line),
       input{line.input,     unfiltered_field(source_of(source.volume), line.field),
             source.range,   source.log,
@@ -215,9 +232,13 @@ SharedRun::SharedRun(const CommandLine& command_line, const Source& source,
   for (const LabelSamples& found : source.labels) {
     SharedLabel label;
     label.label = found;
-    const auto own = std::ranges::find_if(
-        lines, [&](const CommandLine& one) { return one.field.labels.front() == found.label; });
-    if (own != lines.end()) label.name = own->mesh.write.name;
+    const Rgb color = category_color(static_cast<std::size_t>(found.label));
+    label.color = {color.red, color.green, color.blue};
+    for (const NamedSegment& segment : source.log.segments) {
+      if (segment.label != found.label) continue;
+      label.name = segment.name;
+      label.color = segment.color.value_or(label.color);
+    }
     labels.push_back(std::move(label));
   }
   require_numbers(line, source.labels);
@@ -252,6 +273,7 @@ MeshWriteOptions united_options(const SharedRun& run) {
                        kAllLabels);
   write.sides = run.sides;
   if (run.line.options.cap) write.first_cap = run.mesh.inner_facets;
+  write.groups = groups_of(run);
   return write;
 }
 
@@ -267,6 +289,7 @@ MeshWriteOptions options_of_label(const MeshWriteOptions& united, std::int64_t l
         [&](const auto& sides) { return sides[0] == label || sides[1] == label; }));
   }
   write.sides.clear();
+  write.groups.clear();
   return write;
 }
 

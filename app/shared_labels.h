@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +28,7 @@ namespace deliso {
 struct SharedLabel : LabelRow {
   std::uint64_t kept = 0;  // samples at which its field is the largest; 0: it vanished
   std::string fault;       // the first rule of mesh/tri_mesh.h that its mesh breaks, or empty
+  std::array<std::uint8_t, 3> color{};  // of its segment, or one for its number
 };
 
 // The facets between two labels, or a label and a face of the box.
@@ -40,9 +40,7 @@ struct SharedBorder {
 };
 
 struct SharedRun {
-  // `lines`: those of the labels but 0 (lines_of_labels()).
-  SharedRun(const CommandLine& command_line, const Source& source,
-            std::span<const CommandLine> lines);
+  SharedRun(const CommandLine& command_line, const Source& source);
 
   const CommandLine& line;
   Input input;        // the labels, before they are smoothed

@@ -257,7 +257,8 @@ deliso_status deliso_mesh_shared(const deliso_volume* volume, const char* const*
     line.mesh.shared.clear();  // no file is written
     line.mesh.write.format.reset();
     const Source source = ::source_of(*volume, line);
-    SharedRun run(line, source, lines_of_labels(line, source));
+    lines_of_labels(line, source);  // it may refuse them
+    SharedRun run(line, source);
     auto made = std::make_unique<deliso_mesh>();
     make_shared_mesh(run, progress);
     made->mesh = written_mesh(united_mesh(run), {.format = MeshFormat::ply});

@@ -135,9 +135,16 @@ void add_object(Scene& scene, const WorldMesh& mesh, const Vec3& middle, const B
     scene.materials += text(scene.material_count++ == 0 ? "" : ",", material_json(name, color));
     arrays.push_back({3 * size, 1, true});
   };
-  add_primitive(surface, options.label ? mesh.name() : "surface",
-                options.label ? linear_color(options.label->color) : "0.8,0.8,0.8");
-  add_primitive(facets - surface, "cap", "0.9,0.6,0.3");
+  const std::vector<MeshWriteOptions::Group>& groups = options.groups;
+  for (std::size_t n = 0; n < groups.size(); ++n) {
+    const std::size_t end = n + 1 < groups.size() ? groups[n + 1].first : facets;
+    add_primitive(end - groups[n].first, groups[n].name, linear_color(groups[n].color));
+  }
+  if (groups.empty()) {
+    add_primitive(surface, options.label ? mesh.name() : "surface",
+                  options.label ? linear_color(options.label->color) : "0.8,0.8,0.8");
+    add_primitive(facets - surface, "cap", "0.9,0.6,0.3");
+  }
   const char* const comma = scene.node_count == 0 ? "" : ",";
   scene.roots += text(comma, scene.node_count);
   scene.nodes += comma + node_json(mesh, scene.node_count, middle);

@@ -90,6 +90,14 @@ struct MeshWriteOptions {
   // marker for each pair, and a point in each bounded region with its label
   // (io/mesh/region_points.h). pre: no attributes.
   std::vector<std::array<std::int64_t, 2>> sides{};
+  // Runs of such facets, in order, with what glTF calls them: each is a primitive with a material
+  // of its own, and all have the same vertices.
+  struct Group {
+    std::size_t first;
+    std::string name;
+    std::array<std::uint8_t, 3> color;
+  };
+  std::vector<Group> groups{};
   std::string name{};  // of the object; empty: the file's without its ending, or "mesh"
   std::optional<ObjectLabel> label{};  // pre: holds_objects()
 };

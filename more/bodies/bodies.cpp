@@ -143,9 +143,10 @@ class Builder {
     for (const Report& report : reports) report_.add(report);
   }
 
-  // Moves the facets that are asked for out, with the vertices that they use.
+  // Moves the facets that are asked for out, sheet by sheet, with the vertices that they use.
   void take_facets() {
     std::vector<VertexId> id(sheets_.points.size(), kNoId);
+    std::ranges::stable_sort(sheets_.facets, {}, &SheetFacet::bodies);
     const auto take = [&](bool is_beyond) {
       for (const SheetFacet& f : sheets_.facets) {
         if (partition_.is_beyond(f.bodies[0]) != is_beyond) continue;

@@ -64,7 +64,7 @@ TEST_CASE("colors by label are those of the file, or of the label behind") {
   CHECK_THROWS_WITH_AS(
       colors_of(meshes, " --color-by label", {notes}),
       "--color-by label: 'm.ply' has no colors; a .glb, .3mf or .vtp of --label all has, and a "
-      ".ply or .vtp of --shared",
+      ".ply, .vtp or .glb of --shared",
       InputError);
   notes.sides = {{2, 0}, {-3, 5}};
   CHECK(colors_of(meshes, " --color-by label", {notes}).of_mesh.front() ==

@@ -24,6 +24,7 @@
 #include "mesh/meshes.h"
 #include "refusal.h"
 #include "stress/shared_file.h"
+#include "view/render/color_map.h"
 #include "volume/sampled.h"
 
 using namespace deliso;
@@ -222,7 +223,7 @@ TEST_CASE("a label that vanishes is told of, with the samples that it had") {
     const bool vanishes = *more != 0;
     const CommandLine line = halves.line(more);
     const Source source = read_source(line);
-    SharedRun run(line, source, lines_of_labels(line, source));
+    SharedRun run(line, source);
     const std::vector<std::string> warnings = halves.warnings(run);
     CHECK(run.sound());
     REQUIRE(run.labels.size() == 4);
@@ -255,7 +256,7 @@ TEST_CASE("the report of common surfaces: topology, borders, caps, and a number 
   const Halves halves;
   const CommandLine line = halves.line("--cap --vertices 4 --verbose --smooth 0.4vox");
   const Source source = read_source(line);
-  SharedRun run(line, source, lines_of_labels(line, source));
+  SharedRun run(line, source);
   const std::vector<std::string> warnings = halves.warnings(run);
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].find(" without caps, 4 asked for: with fewer the topology would change") !=
@@ -291,6 +292,23 @@ TEST_CASE("the report of common surfaces: topology, borders, caps, and a number 
                             "\ncount     ", "\nborder    5 and 2: ", "\ncost      read "}) {
     CHECK_MESSAGE(report.find(words) != std::string::npos, words);
   }
+  // glTF has a primitive for each two, in the color of the label behind. They share vertices.
+  const std::string glb = halves.folder / "all.glb";
+  MeshWriteOptions write = united_options(run);
+  write.format = MeshFormat::glb;
+  CHECK(write.groups.size() == expected.size());
+  write_mesh(united_mesh(run), glb, write);
+  MeshNotes notes;
+  CHECK(read_mesh(glb, &notes).points.size() == run.mesh.points.size());
+  REQUIRE(notes.colors.size() == run.sides.size());
+  for (std::size_t f = 0; f < notes.colors.size(); ++f) {
+    const Rgb color = category_color(static_cast<std::size_t>(run.sides[f][1]));
+    CHECK(notes.colors[f] == std::array{color.red, color.green, color.blue});
+  }
+  const std::string bytes = file_bytes(glb);
+  for (const char* name : {"label 2 / label 5", "label 5 / label 0", "label 2 / border"}) {
+    CHECK_MESSAGE(bytes.find(text("{\"name\":\"", name)) != bytes.npos, name);
+  }
 }
 
 TEST_CASE("a label around others has no volume without caps, though it has no loop") {
@@ -307,7 +325,7 @@ TEST_CASE("a label around others has no volume without caps, though it has no lo
     const CommandLine line = parsed(around + " --dims 9x8x7 --type int8 --label all --shared " +
                                     (halves.folder / "all.ply") + (cap ? " --cap" : ""));
     const Source source = read_source(line);
-    SharedRun run(line, source, lines_of_labels(line, source));
+    SharedRun run(line, source);
     CHECK(halves.warnings(run).empty());
     REQUIRE(run.labels.size() == 2);
     CHECK(run.labels[0].mesh_volume.has_value());

@@ -100,7 +100,7 @@ Verification verify_as_file(const TriMesh& mesh, const MeshRun& run) {
 // A run of --shared, judged by its file.
 void mesh_shared(const CommandLine& line, Outcome& outcome) {
   const Source source = read_source(line);
-  SharedRun run(line, source, lines_of_labels(line, source));
+  SharedRun run(line, source);
   ProgressBar none(mesh_stages(line), false);
   const std::clock_t start = std::clock();
   make_shared_mesh(run, none);
