@@ -64,13 +64,37 @@ Volume volume_of(std::vector<float> samples, const Grid& like) {
   return {like.of_type(SampleType::f32), reinterpret_cast<const std::byte*>(owner->data()), owner};
 }
 
-SampleExtent common(const SampleExtent& a, const SampleExtent& b) {
-  SampleExtent c;
+SampleBox common(const SampleBox& a, const SampleBox& b) {
+  SampleBox c;
   for (int axis = 0; axis < 3; ++axis) {
-    c.first[axis] = std::max(a.first[axis], b.first[axis]);
-    c.last[axis] = std::min(a.last[axis], b.last[axis]);
+    c.begin[axis] = std::max(a.begin[axis], b.begin[axis]);
+    c.end[axis] = std::max(c.begin[axis] - 1, std::min(a.end[axis], b.end[axis]));
   }
   return c;
+}
+bool is_empty(const SampleBox& box) {
+  return box.dims().i == 0 || box.dims().j == 0 || box.dims().k == 0;
+}
+
+// Calls f(begin in a, begin in b, length) for the rows of samples that two boxes have in common.
+// They are numbered in each box.
+template <class F>
+void for_each_row(const SampleBox& a, const SampleBox& b, int threads, F&& f) {
+  const SampleBox both = common(a, b);
+  const Index3 n = both.dims();
+  const auto number = [&](const SampleBox& in, int j, int k) {
+    const Index3 dims = in.dims();
+    return static_cast<std::size_t>(both.begin.i - in.begin.i) +
+           static_cast<std::size_t>(dims.i) *
+               (static_cast<std::size_t>(j - in.begin.j) +
+                static_cast<std::size_t>(dims.j) * static_cast<std::size_t>(k - in.begin.k));
+  };
+  for_each_task(threads, static_cast<std::size_t>(n.k), [&](std::size_t slice) {
+    const int k = both.begin.k + static_cast<int>(slice);
+    for (int j = both.begin.j; j <= both.end.j; ++j) {
+      f(number(a, j, k), number(b, j, k), static_cast<std::size_t>(n.i));
+    }
+  });
 }
 
 // Makes one label, named by the first, of those in `united`.
@@ -251,32 +275,21 @@ std::vector<std::size_t> LabelFields::parts_of(std::size_t label) const {
 
 // Return the box of samples within the filter's reach, and one more: beyond it the smoothed
 // indicator is 0.
-SampleExtent LabelFields::box(const LabelSamples& of) const {
-  return grown({of.first, of.last});
+SampleBox LabelFields::box(const LabelSamples& of) const {
+  return grown(of.box);
 }
-SampleExtent LabelFields::grown(SampleExtent box) const {
-  for (int axis = 0; axis < 3; ++axis) {
-    const int margin = reach_[axis] + 1;
-    box.first[axis] = std::max(0, box.first[axis] - margin);
-    box.last[axis] = std::min(parts_.part_at.dims()[axis] - 1, box.last[axis] + margin);
-  }
-  return box;
+SampleBox LabelFields::grown(const SampleBox& box) const {
+  return deliso::grown(box, reach_ + Index3{1, 1, 1}, parts_.part_at.voxels());
 }
 
 // Returns the samples of the volume that the field of a label reaches.
-SampleExtent LabelFields::box_of_label(std::size_t label) const {
-  SampleExtent all;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int margin = reach_[axis] + 1;
-    all.first[axis] = std::max(0, labels_[label].first[axis] - margin);
-    all.last[axis] = std::min(grid_.dims()[axis] - 1, labels_[label].last[axis] + margin);
-  }
-  return all;
+SampleBox LabelFields::box_of_label(std::size_t label) const {
+  return deliso::grown(labels_[label].box, reach_ + Index3{1, 1, 1}, grid_.voxels());
 }
 
 // Returns the smoothed indicator of the samples of a number; within the reach of the box's inner
 // faces it is wrong.
-Volume LabelFields::smoothed(const Volume& numbers, std::size_t number, const SampleExtent& box,
+Volume LabelFields::smoothed(const Volume& numbers, std::size_t number, const SampleBox& box,
                              int threads) const {
   const auto one = static_cast<std::int64_t>(number);
   Volume field = label_indicator(numbers, std::span(&one, 1), box, threads);
@@ -285,7 +298,7 @@ Volume LabelFields::smoothed(const Volume& numbers, std::size_t number, const Sa
 }
 
 // Returns the labels from which a filter reaches the box.
-std::vector<std::size_t> LabelFields::labels_near(const SampleExtent& box) const {
+std::vector<std::size_t> LabelFields::labels_near(const SampleBox& box) const {
   std::vector<std::size_t> numbers;
   for (const LabelSamples& l : find_labels(parts_.label_at, name_, 1, grown(box))) {
     numbers.push_back(static_cast<std::size_t>(l.label));
@@ -296,31 +309,23 @@ std::vector<std::size_t> LabelFields::labels_near(const SampleExtent& box) const
 // The others are whole labels, with the weights of their main parts: all, or the larger ones.
 LabelFields::Rivals LabelFields::rivals(std::size_t part, bool is_larger_only, int threads) const {
   const std::size_t label = parts_.label_of[part];
-  const SampleExtent own_box = box(parts_.parts[part]), reached = grown(own_box);
+  const SampleBox own_box = box(parts_.parts[part]), reached = grown(own_box);
   Volume own = smoothed(parts_.part_at, part, own_box, threads);
   std::vector<float> largest(own.sample_count());
   std::vector<double> sum(own.sample_count());
   for (const std::size_t other : labels_near(own_box)) {
     if (other == label || (is_larger_only && !is_larger(other, label))) continue;
     const std::optional<Volume>& all = of_label_[other];
-    const SampleExtent whole = box(parts_.labels[other]),
-                       from = all ? whole : common(reached, whole), both = common(from, own_box);
-    if (both.dims().i <= 0 || both.dims().j <= 0 || both.dims().k <= 0) continue;
+    const SampleBox whole = box(parts_.labels[other]), from = all ? whole : common(reached, whole);
+    if (is_empty(common(from, own_box))) continue;
     const Volume s = all ? *all : smoothed(parts_.label_at, other, from, threads);
     const double weight = parts_.parts[other].weight;
     s.visit([&](const auto* values) {
-      for_each_task(threads, static_cast<std::size_t>(both.dims().k), [&](std::size_t slice) {
-        const int k = both.first.k + static_cast<int>(slice);
-        for (int j = both.first.j; j <= both.last.j; ++j) {
-          const auto* row =
-              values + s.index(both.first.i - from.first.i, j - from.first.j, k - from.first.k);
-          const std::size_t at =
-              own.index(both.first.i - own_box.first.i, j - own_box.first.j, k - own_box.first.k);
-          for (std::size_t i = 0; i < static_cast<std::size_t>(both.dims().i); ++i) {
-            const auto value = static_cast<double>(row[i]);
-            largest[at + i] = std::max(largest[at + i], static_cast<float>(weight * value));
-            sum[at + i] += value;
-          }
+      for_each_row(from, own_box, threads, [&](std::size_t in, std::size_t to, std::size_t n) {
+        for (std::size_t i = 0; i < n; ++i) {
+          const auto value = static_cast<double>(values[in + i]);
+          largest[to + i] = std::max(largest[to + i], static_cast<float>(weight * value));
+          sum[to + i] += value;
         }
       });
     });
@@ -393,46 +398,37 @@ const LabelSamples& LabelFields::weighed(std::int64_t label) {
 }
 
 // Raises values in a box of the volume to w_L s_L of a label.
-void LabelFields::raise_to(std::size_t label, const SampleExtent& box_of_values,
+void LabelFields::raise_to(std::size_t label, const SampleBox& box_of_values,
                            std::vector<float>& values) const {
-  const SampleExtent to{box_of_values.first + parts_.margin, box_of_values.last + parts_.margin};
-  const SampleExtent reached = grown(to);
-  const Index3 n = to.dims();
+  const SampleBox to{box_of_values.begin + parts_.margin, box_of_values.end + parts_.margin};
   for (const std::size_t part : parts_of(label)) {
-    const SampleExtent from = common(reached, box(parts_.parts[part])), both = common(from, to);
-    if (both.dims().i <= 0 || both.dims().j <= 0 || both.dims().k <= 0) continue;
-    const Volume s = smoothed(parts_.part_at, part, from, part < labels_.size() ? threads_ : 1);
+    const SampleBox from = common(grown(to), box(parts_.parts[part]));
+    if (is_empty(common(from, to))) continue;
+    const int threads = part < labels_.size() ? threads_ : 1;
+    const Volume s = smoothed(parts_.part_at, part, from, threads);
     const double weight = parts_.parts[part].weight;
-    s.visit([&](const auto* v) {
-      for (int k = both.first.k; k <= both.last.k; ++k) {
-        for (int j = both.first.j; j <= both.last.j; ++j) {
-          const auto* row =
-              v + s.index(both.first.i - from.first.i, j - from.first.j, k - from.first.k);
-          float* out = &values[static_cast<std::size_t>(both.first.i - to.first.i) +
-                               static_cast<std::size_t>(n.i) *
-                                   (static_cast<std::size_t>(j - to.first.j) +
-                                    static_cast<std::size_t>(n.j) *
-                                        static_cast<std::size_t>(k - to.first.k))];
-          for (int i = 0; i < both.dims().i; ++i) {
-            out[i] = std::max(out[i], static_cast<float>(weight * static_cast<double>(row[i])));
-          }
+    s.visit([&](const auto* row) {
+      for_each_row(from, to, threads, [&](std::size_t in, std::size_t out, std::size_t n) {
+        for (std::size_t i = 0; i < n; ++i) {
+          const auto value = static_cast<float>(weight * static_cast<double>(row[in + i]));
+          values[out + i] = std::max(values[out + i], value);
         }
-      }
+      });
     });
   }
 }
 
 Volume LabelFields::field(std::int64_t label) {
   const std::size_t l = number_of(label);
-  const SampleExtent within = box_of_label(l);
-  const Grid block = grid_.cropped(within.first, within.dims()).of_type(SampleType::f32);
+  const SampleBox within = box_of_label(l);
+  const Grid block = grid_.cropped(within.begin, within.dims()).of_type(SampleType::f32);
   std::vector<float> own(block.sample_count()), others(block.sample_count(), kLeastRival);
   for (const std::size_t m : labels_near(box(parts_.labels[l]))) {
     weigh_parts(m);
     raise_to(m, within, m == l ? own : others);
   }
   std::size_t at = 0;
-  const Index3 first = within.first + parts_.margin, n = within.dims();
+  const Index3 first = within.begin + parts_.margin, n = within.dims();
   for (int k = 0; k < n.k; ++k) {
     for (int j = 0; j < n.j; ++j) {
       for (int i = 0; i < n.i; ++i, ++at) {
@@ -451,8 +447,8 @@ Volume LabelFields::field(std::int64_t label) {
 Volume LabelFields::weighted(std::int64_t label) {
   const std::size_t l = number_of(label);
   weigh_parts(l);
-  const SampleExtent within = box_of_label(l);
-  const Grid block = grid_.part(within.first, within.dims()).of_type(SampleType::f32);
+  const SampleBox within = box_of_label(l);
+  const Grid block = grid_.part(within.begin, within.dims()).of_type(SampleType::f32);
   std::vector<float> samples(block.sample_count());
   raise_to(l, within, samples);
   return Volume::from_samples(block, samples);

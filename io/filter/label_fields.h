@@ -72,17 +72,17 @@ class LabelFields {
 
   std::size_t number_of(std::int64_t label) const;
   std::vector<std::size_t> parts_of(std::size_t label) const;
-  SampleExtent box(const LabelSamples& of) const;
-  SampleExtent box_of_label(std::size_t label) const;
-  Volume smoothed(const Volume& numbers, std::size_t number, const SampleExtent& box,
+  SampleBox box(const LabelSamples& of) const;
+  SampleBox box_of_label(std::size_t label) const;
+  Volume smoothed(const Volume& numbers, std::size_t number, const SampleBox& box,
                   int threads) const;
-  std::vector<std::size_t> labels_near(const SampleExtent& box) const;
+  std::vector<std::size_t> labels_near(const SampleBox& box) const;
   Rivals rivals(std::size_t part, bool is_larger_only, int threads) const;
   void weigh(std::vector<std::uint8_t> wanted);
   void weigh_parts(std::size_t label);
   bool is_larger(std::size_t m, std::size_t n) const;
-  SampleExtent grown(SampleExtent box) const;
-  void raise_to(std::size_t label, const SampleExtent& box_of_values,
+  SampleBox grown(const SampleBox& box) const;
+  void raise_to(std::size_t label, const SampleBox& box_of_values,
                 std::vector<float>& values) const;
 
   Grid grid_;

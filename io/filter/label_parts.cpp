@@ -140,7 +140,7 @@ LabelParts find_parts(const Segmentation& samples, std::span<const LabelSamples>
   }
   for (std::size_t n = 0; n < bodies.size(); ++n) {
     const std::uint32_t own = label_of_body[n];
-    const Index3 d = SampleExtent{bodies[n].first, bodies[n].last}.dims();
+    const Index3 d = bodies[n].box.dims();
     const bool is_main =
         bodies[n].samples == largest[own] ||
         std::uint64_t(d.i) * d.j * d.k > kMostInBox + kMostPerSample * bodies[n].samples;

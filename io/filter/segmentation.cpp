@@ -33,10 +33,7 @@ void add(LabelSamples& to, const LabelSamples& from) {
   }
   to.samples += from.samples;
   to.volume += from.volume;
-  for (int axis = 0; axis < 3; ++axis) {
-    to.first[axis] = std::min(to.first[axis], from.first[axis]);
-    to.last[axis] = std::max(to.last[axis], from.last[axis]);
-  }
+  to.box = united(to.box, from.box);
 }
 
 template <class T>
@@ -52,17 +49,16 @@ std::int64_t label_of(T value, Index3 at, std::string_view name) {
 
 // Adds the labels of a row of `box`, one run of equal samples after the other.
 template <class T>
-void add_row(Found& found, const T* row, const Grid& grid, const SampleExtent& box, int j, int k,
+void add_row(Found& found, const T* row, const Grid& grid, const SampleBox& box, int j, int k,
              std::string_view name) {
   const double share = grid.share_of(1, j, j + 1) * grid.share_of(2, k, k + 1);
-  for (int begin = box.first.i; begin <= box.last.i;) {
+  for (int begin = box.begin.i; begin <= box.end.i;) {
     int end = begin + 1;
-    while (end <= box.last.i && row[end] == row[begin]) ++end;
+    while (end <= box.end.i && row[end] == row[begin]) ++end;
     LabelSamples run{label_of(row[begin], {begin, j, k}, name),
                      static_cast<std::uint64_t>(end - begin),
                      share * grid.share_of(0, begin, end),
-                     {begin, j, k},
-                     {end - 1, j, k}};
+                     {{begin, j, k}, {end - 1, j, k}}};
     LabelSamples& all = found[run.label];
     all.label = run.label;
     add(all, run);
@@ -73,20 +69,18 @@ void add_row(Found& found, const T* row, const Grid& grid, const SampleExtent& b
 }  // namespace
 
 std::vector<LabelSamples> find_labels(const Segmentation& samples_of, std::string_view name,
-                                      int threads, const std::optional<SampleExtent>& within) {
+                                      int threads, const std::optional<SampleBox>& within) {
   const Volume& volume = samples_of.volume;
   const std::vector<std::int64_t>& ids = samples_of.ids;
-  const Index3 dims = volume.dims();
-  const SampleExtent box =
-      within ? *within : SampleExtent{{0, 0, 0}, {dims.i - 1, dims.j - 1, dims.k - 1}};
+  const SampleBox box = within ? *within : SampleBox{{}, volume.voxels()};
   const auto slices = static_cast<std::size_t>(box.dims().k);
   std::vector<Found> found(runs_of(slices, kSlicesOfCount));
   volume.visit([&](const auto* samples) {
     for_each_run(
         threads, slices, kSlicesOfCount, [&](std::size_t task, std::size_t begin, std::size_t end) {
           for (std::size_t n = begin; n < end; ++n) {
-            const int k = box.first.k + static_cast<int>(n);
-            for (int j = box.first.j; j <= box.last.j; ++j) {
+            const int k = box.begin.k + static_cast<int>(n);
+            for (int j = box.begin.j; j <= box.end.j; ++j) {
               add_row(found[task], samples + volume.index(0, j, k), volume, box, j, k, name);
             }
           }
@@ -127,7 +121,7 @@ LabelSamples united_labels(std::span<const LabelSamples> found,
 }
 
 Volume label_indicator(const Segmentation& samples_of, std::span<const std::int64_t> labels,
-                       const SampleExtent& box, int threads) {
+                       const SampleBox& box, int threads) {
   const Volume& volume = samples_of.volume;
   const std::vector<std::int64_t>& ids = samples_of.ids;
   DELISO_CHECK(!volume.is_block());
@@ -135,7 +129,7 @@ Volume label_indicator(const Segmentation& samples_of, std::span<const std::int6
   if (!ids.empty()) {
     for (std::int64_t& value : values) value = std::ranges::lower_bound(ids, value) - ids.begin();
   }
-  const Index3 first = box.first, dims = box.dims();
+  const Index3 first = box.begin, dims = box.dims();
   const std::size_t nx = static_cast<std::size_t>(dims.i), ny = static_cast<std::size_t>(dims.j);
   Buffer buffer(nx * ny * static_cast<std::size_t>(dims.k));
   auto* const out = reinterpret_cast<std::uint8_t*>(buffer.data.get());

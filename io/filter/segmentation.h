@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "volume/volume.h"
+#include "volume/volume_source.h"
 
 namespace deliso {
 
@@ -27,12 +28,6 @@ struct Segmentation {
   std::vector<std::int64_t> ids;
 };
 
-// The samples of a box, the first and the last included.
-struct SampleExtent {
-  Index3 first, last;
-  Index3 dims() const { return {last.i - first.i + 1, last.j - first.j + 1, last.k - first.k + 1}; }
-};
-
 // One label's samples.
 struct LabelSamples {
   std::int64_t label = 0;
@@ -40,8 +35,8 @@ struct LabelSamples {
   // In usual voxels, within the domain box: a sample on a face of the box has half a voxel there,
   // on an edge a quarter.
   double volume = 0;
-  Index3 first, last;  // of the smallest box around them
-  double weight = 0;   // of its indicator (io/filter/label_fields.h); 0: not known
+  SampleBox box;      // the smallest around them
+  double weight = 0;  // of its indicator (io/filter/label_fields.h); 0: not known
 };
 
 // True if the value is a whole number of 64 bits.
@@ -57,8 +52,7 @@ bool is_label(T value) {
 // with the volume's `name`, for the first sample that is no whole number of 64 bits. The result is
 // the same with any number of threads.
 std::vector<LabelSamples> find_labels(const Segmentation& samples, std::string_view name,
-                                      int threads = 1,
-                                      const std::optional<SampleExtent>& within = {});
+                                      int threads = 1, const std::optional<SampleBox>& within = {});
 
 // Returns all samples of `labels` as if they had one label. Throws InputError, with the volume's
 // `name` and the labels that there are, for a label without a sample. pre: labels is not empty.
@@ -68,6 +62,6 @@ LabelSamples united_labels(std::span<const LabelSamples> found,
 // Returns the indicator of `labels` in a box, as uint8. Its frame is moved along. pre: the volume
 // is no block, and holds the box.
 Volume label_indicator(const Segmentation& samples, std::span<const std::int64_t> labels,
-                       const SampleExtent& box, int threads = 1);
+                       const SampleBox& box, int threads = 1);
 
 }  // namespace deliso

@@ -57,19 +57,16 @@ void hold_against_brute_force(Index3 n, std::int64_t least, std::uint32_t count)
       CHECK(same.label == found.label);
       CHECK(same.samples == samples);
       CHECK(same.volume == share);
-      CHECK(same.first == first);
-      CHECK(same.last == last);
+      CHECK(same.box.begin == first);
+      CHECK(same.box.end == last);
     }
   }
   CHECK(all == volume.sample_count());
-  const SampleExtent box{{2, 1, 3}, {n.i - 3, n.j - 1, n.k - 4}};
+  const SampleBox box{{2, 1, 3}, {n.i - 3, n.j - 1, n.k - 4}};
   std::uint64_t in_box = 0;
   for (const LabelSamples& found : find_labels(volume, "v", 2, box)) {
     in_box += found.samples;
-    for (int axis = 0; axis < 3; ++axis) {
-      CHECK(found.first[axis] >= box.first[axis]);
-      CHECK(found.last[axis] <= box.last[axis]);
-    }
+    CHECK(is_in(found.box, box));
   }
   CHECK(in_box == static_cast<std::uint64_t>(box.dims().i * box.dims().j * box.dims().k));
 }
@@ -107,7 +104,7 @@ TEST_CASE("samples that number ids have their labels") {
   const std::vector<std::int64_t> ids{-5, 720575940621039145, 720575940621039146};
   const auto plain = find_labels(volume, "v", 2), named = find_labels({volume, ids}, "v", 2);
   REQUIRE(named.size() == 3);
-  const SampleExtent box{{0, 0, 0}, {2, 3, 4}};
+  const SampleBox box{{0, 0, 0}, {2, 3, 4}};
   for (std::size_t n = 0; n < 3; ++n) {
     CHECK(named[n].label == ids[n]);
     CHECK(named[n].samples == plain[n].samples);
@@ -146,15 +143,11 @@ TEST_CASE("filters of the cut-out indicator give what filters of all of it give"
   const Volume volume = ball(40, 9, {8, 20.3, 29});
   const std::vector<std::int64_t> labels{3};
   const LabelSamples extent = united_labels(find_labels(volume, "v"), labels, "v");
-  const SampleExtent everything{{0, 0, 0}, {39, 39, 39}};
+  const SampleBox everything{{0, 0, 0}, {39, 39, 39}};
   const Volume whole =
       gaussian(median(label_indicator(volume, labels, everything), 2), {1.5, 1, 0.7});
   const Index3 margin{gaussian_radius(1.5) + 3, gaussian_radius(1) + 3, gaussian_radius(0.7) + 3};
-  SampleExtent box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.first[axis] = std::max(0, extent.first[axis] - margin[axis]);
-    box.last[axis] = std::min(39, extent.last[axis] + margin[axis]);
-  }
+  const SampleBox box = grown(extent.box, margin, everything.end);
   const Volume cut = gaussian(median(label_indicator(volume, labels, box, 2), 2), {1.5, 1, 0.7});
   CHECK(cut.sample_count() < whole.sample_count());
   const Vec3 at = cut.frame().origin;
