@@ -285,7 +285,7 @@ void add_shared_mesh(ReportWriter& out, const SharedRun& run) {
   out.add("output", run.line.mesh.shared, "its file; empty: none was written");
   out.add("vertices", run.mesh.points.size(), "all of them");
   out.add("triangles", facets, "all of them");
-  out.add("surface_vertices", run.surface_vertices, "of triangles between two labels");
+  out.add("surface_vertices", run.report.vertices_refined, "of triangles between two labels");
   out.add("surface_triangles", run.mesh.inner_facets,
           "between two labels; with --cap those on the box follow them");
   add_count_stop(out, counted_mesh(run));

@@ -2,7 +2,6 @@
 #include "app/shared_labels.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "app/field.h"
@@ -11,7 +10,6 @@
 #include "app/text.h"
 #include "base/check.h"
 #include "base/parallel.h"
-#include "base/sorted_list.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "base/triangle.h"
@@ -39,10 +37,9 @@ void require_numbers(const CommandLine& line, std::span<const LabelSamples> labe
 
 // The size of all interfaces: each is the border of two labels, near 0.5 of each one's field.
 SurfaceEstimate estimate_interfaces(std::span<const Volume> fields) {
-  constexpr double kHalf = 0.5;
   SurfaceEstimate all;
   for (const Volume& field : fields) {
-    const SurfaceEstimate one = estimate_surface(field, kHalf);
+    const SurfaceEstimate one = estimate_surface(field, 0.5);
     all.crossings += one.crossings / 2;
     all.area += one.area / 2;
     all.thin += one.thin * one.crossings / 2;
@@ -95,25 +92,32 @@ void find_vanished(SharedRun& run, const Partition& partition) {
   }
 }
 
-// Fills in what stands in front of each facet and behind it, and the borders.
+// Fills in what stands in front of each facet and behind it, and the borders. Label 0 is never
+// behind.
 void find_sides(SharedRun& run, const Partition& partition) {
   const auto side_of = [&](BodyId body) {
     if (!partition.is_beyond(body)) return run.labels[body].label.label;
     return -static_cast<std::int64_t>(body - partition.beyond(0)) - 1;
   };
+  const auto name_of = [&](BodyId body) {
+    if (partition.is_beyond(body)) return std::string("border");
+    const SharedLabel& l = run.labels[body];
+    return l.name.empty() ? text("label ", l.label.label) : l.name;
+  };
   const std::vector<Vec3>& p = run.mesh.points;
-  std::map<std::array<std::int64_t, 2>, SharedBorder> borders;
-  for (const InterfaceFacet& facet : run.mesh.facets) {
-    const auto& [a, b, c] = facet.v;
-    const std::array sides{side_of(facet.bodies[0]), side_of(facet.bodies[1])};
+  for (const auto& [v, bodies] : run.mesh.facets) {
+    const auto [front, behind] = bodies;
+    const std::array sides{side_of(front), side_of(behind)};
+    if (run.sides.empty() || run.sides.back() != sides) {
+      run.borders.push_back({sides, partition.is_beyond(front)});
+      run.groups.push_back(
+          {run.sides.size(), name_of(behind) + " / " + name_of(front), run.labels[behind].color});
+    }
     run.sides.push_back(sides);
-    SharedBorder& border = borders[sides];
-    border.sides = sides;
-    border.is_cap = partition.is_beyond(facet.bodies[0]);
-    ++border.triangles;
-    border.area += length(area_normal(p[a], p[b], p[c])) / 2;
+    ++run.borders.back().triangles;
+    run.borders.back().area += length(area_normal(p[v[0]], p[v[1]], p[v[2]])) / 2;
   }
-  for (const auto& [sides, border] : borders) run.borders.push_back(border);
+  std::ranges::sort(run.borders, {}, &SharedBorder::sides);
 }
 
 // Counts, measures and tests the mesh of each label.
@@ -153,18 +157,11 @@ void examine_whole(SharedRun& run) {
     warn_of_rounding(written.points, run.report.max_distance, run.input.grid(), run.notes);
   }
   run.written = find_place_faults(written.points, written.triangles, run.line.options.threads);
-  std::vector<VertexId> used;
-  for (std::size_t f = 0; f < run.mesh.inner_facets; ++f) {
-    used.insert(used.end(), run.mesh.facets[f].v.begin(), run.mesh.facets[f].v.end());
-  }
-  sort_unique(used);
-  run.surface_vertices = used.size();
 }
 
 void mesh_labels(SharedRun& run, Progress& progress) {
   const CommandLine& line = run.line;
-  const Grid& volume = run.input.grid();
-  require_limits(line.options, volume);
+  require_limits(line.options, run.input.grid());
   const Partition partition = make_partition(run, progress);
   find_vanished(run, partition);
   progress.tell(run.notes);
@@ -202,23 +199,6 @@ double sharp_percent(const MeshQuality& quality) {
   if (quality.faces == 0) return 0;
   return 100 * static_cast<double>(bins[0] + bins[1] + bins[2]) /
          static_cast<double>(quality.faces);
-}
-
-// Returns the runs of facets between two labels, or of one on a face of the box. Label 0 is never
-// behind.
-std::vector<MeshWriteOptions::Group> groups_of(const SharedRun& run) {
-  const auto name_of = [&](BodyId body) {
-    if (body >= run.labels.size()) return std::string("border");
-    const SharedLabel& l = run.labels[body];
-    return l.name.empty() ? text("label ", l.label.label) : l.name;
-  };
-  std::vector<MeshWriteOptions::Group> groups;
-  for (std::size_t f = 0; f < run.sides.size(); ++f) {
-    if (f > 0 && run.sides[f] == run.sides[f - 1]) continue;
-    const auto [front, behind] = run.mesh.facets[f].bodies;
-    groups.push_back({f, name_of(behind) + " / " + name_of(front), run.labels[behind].color});
-  }
-  return groups;
 }
 
 }  // namespace
@@ -273,7 +253,7 @@ MeshWriteOptions united_options(const SharedRun& run) {
                        kAllLabels);
   write.sides = run.sides;
   if (run.line.options.cap) write.first_cap = run.mesh.inner_facets;
-  write.groups = groups_of(run);
+  write.groups = run.groups;
   return write;
 }
 
@@ -301,8 +281,8 @@ CountedMesh counted_mesh(const SharedRun& run) {
     all.euler += l.mesh.euler;
     all.boundary_loops += l.mesh.boundary_loops;
   }
-  return {run.line.options,   run.surface_vertices, run.mesh.inner_facets,
-          Options::kNoTarget, Options::kNoTarget,   all};
+  return {run.line.options,   run.report.vertices_refined, run.mesh.inner_facets,
+          Options::kNoTarget, Options::kNoTarget,          all};
 }
 
 std::vector<Figure> steps_of(const SharedRun& run) {

@@ -52,7 +52,7 @@ struct SharedRun {
   InterfaceMesh mesh;
   // Per facet the labels in front of it and behind. Face f of the box (base/box3.h) is -(f + 1).
   std::vector<std::array<std::int64_t, 2>> sides;
-  std::size_t surface_vertices = 0;  // of facets between labels
+  std::vector<MeshWriteOptions::Group> groups;  // facets with the same sides
   std::vector<SharedBorder> borders;
   MeshQuality quality;  // of all facets
   PlaceFaults written;  // of the mesh as it is in the file

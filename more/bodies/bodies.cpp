@@ -145,27 +145,23 @@ class Builder {
 
   // Moves the facets that are asked for out, sheet by sheet, with the vertices that they use.
   void take_facets() {
-    std::vector<VertexId> id(sheets_.points.size(), kNoId);
-    std::ranges::stable_sort(sheets_.facets, {}, &SheetFacet::bodies);
-    const auto take = [&](bool is_beyond) {
-      for (const SheetFacet& f : sheets_.facets) {
-        if (partition_.is_beyond(f.bodies[0]) != is_beyond) continue;
-        if (is_beyond && f.bodies[1] == partition_.background()) continue;
-        InterfaceFacet& facet = mesh_.facets.emplace_back(InterfaceFacet{f.v, f.bodies});
-        for (VertexId& v : facet.v) {
-          if (id[v] == kNoId) {
-            id[v] = VertexId(mesh_.points.size());
-            mesh_.points.push_back(sheets_.points[v]);
-          }
-          v = id[v];
-        }
+    std::ranges::stable_sort(sheets_.facets, {}, &SheetFacet::bodies);  // beyond the box last
+    for (const SheetFacet& f : sheets_.facets) {
+      const bool is_cap = partition_.is_beyond(f.bodies[0]);
+      if (is_cap && (!options_.cap || f.bodies[1] == partition_.background())) continue;
+      mesh_.facets.push_back({f.v, f.bodies});
+      if (!is_cap) ++mesh_.inner_facets;
+    }
+    IdArray<VertexId, VertexId> known(sheets_.points.size(), kNoId);
+    for (const VertexId v : number_vertices(mesh_.facets, known)) {
+      mesh_.points.push_back(sheets_.points[v]);
+    }
+    report_.triangles_refined = mesh_.inner_facets;
+    for (std::size_t f = 0; f < mesh_.inner_facets; ++f) {
+      for (const VertexId v : mesh_.facets[f].v) {
+        report_.vertices_refined = std::max<std::size_t>(report_.vertices_refined, v + 1);
       }
-    };
-    take(false);
-    mesh_.inner_facets = mesh_.facets.size();
-    report_.vertices_refined = mesh_.points.size();
-    report_.triangles_refined = mesh_.facets.size();
-    if (options_.cap) take(true);
+    }
   }
 
   const Partition& partition_;
@@ -223,7 +219,8 @@ TriMesh InterfaceMesh::mesh_of(BodyId body) const {
     own.push_back(f);
   }
   std::vector<Vec3> used;
-  for (const VertexId v : number_vertices(own)) used.push_back(points[v]);
+  IdArray<VertexId, VertexId> known(points.size(), kNoId);
+  for (const VertexId v : number_vertices(own, known)) used.push_back(points[v]);
   std::vector<Triangle> triangles;
   triangles.reserve(own.size());
   for (const InterfaceFacet& f : own) triangles.push_back(f.v);

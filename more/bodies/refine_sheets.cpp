@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "more/bodies/borders.h"
-#include "more/bodies/sheet_faults.h"
 #include "refine/refine.h"
 
 namespace deliso {
@@ -72,7 +71,8 @@ class SheetRefiner {
     const FaceId frozen = add_frozen(sheet, s.mesh);
     for (const SheetFacet& f : own.free) s.mesh.faces.push_back({f.v, {kNoId, kNoId, kNoId}});
     link(own, frozen, s.mesh);
-    std::vector<VertexId> vertices = number_vertices(s.mesh.faces);
+    known_.resize(points_.size(), kNoId);
+    std::vector<VertexId> vertices = number_vertices(s.mesh.faces, known_);
     for (const VertexId v : vertices) s.mesh.points.push_back(points_[v]);
     const std::vector<std::uint8_t> is_done = refine(sheet, s, frozen);
     for (std::size_t v = 0; v < vertices.size(); ++v) {
@@ -180,17 +180,13 @@ class SheetRefiner {
   std::vector<Vec3> points_;
   std::vector<Part> parts_;
   IdArray<FaceId, FaceId> new_id_;  // of a sheet's facets, in its mesh
+  IdArray<VertexId, VertexId> known_;
 };
 
 }  // namespace
 
 void refine_sheets(Sheets& sheets, const SheetScope& scope, Report& report) {
-  Sheets refined = SheetRefiner(sheets, scope, report).run();
-  if (sheet_faults(refined, CutSheets(refined), scope.box).empty()) {
-    sheets = std::move(refined);
-  } else {
-    report[Counter::unrefined_facets] += sheets.free_facets;  // unreachable: no case is known
-  }
+  sheets = SheetRefiner(sheets, scope, report).run();
 }
 
 }  // namespace deliso

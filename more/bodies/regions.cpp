@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/sorted_list.h"
 
 namespace deliso {
 namespace {
@@ -22,7 +23,15 @@ Sheets part_of(const Sheets& all, Region& region) {
     for (const std::uint32_t f : *facets) part.facets.push_back(all.facets[f]);
   }
   part.free_facets = region.free.size();
-  region.vertices = number_vertices(part.facets);
+  for (const SheetFacet& f : part.facets) {
+    region.vertices.insert(region.vertices.end(), f.v.begin(), f.v.end());
+  }
+  sort_unique(region.vertices);
+  for (SheetFacet& f : part.facets) {
+    for (VertexId& v : f.v) {
+      v = VertexId(std::ranges::lower_bound(region.vertices, v) - region.vertices.begin());
+    }
+  }
   for (const VertexId v : region.vertices) part.points.push_back(all.points[v]);
   return part;
 }

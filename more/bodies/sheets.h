@@ -4,9 +4,7 @@
 // one sheet.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,40 +20,22 @@ struct SheetFacet {
   bool is_done = false;          // nothing near it is left to do in this stage
 };
 
-// Numbers the corners of facets (`v`) anew, from 0 on in their order. Returns their old numbers.
+// Numbers the corners of facets (`v`) anew, as they come. Returns their old numbers. `known`: of
+// each vertex, all kNoId before and afterwards.
 template <class Facet>
-std::vector<VertexId> number_vertices(std::vector<Facet>& facets) {
-  std::uint32_t least = kNoId, most = 0;
-  for (const Facet& f : facets) {
-    for (const VertexId v : f.v) {
-      least = std::min(least, v.number());
-      most = std::max(most, v.number());
-    }
-  }
-  // 64 old numbers: which are used, and how many are before them.
-  struct Run {
-    std::uint64_t is_used = 0;
-    std::uint32_t before = 0;
-  };
-  std::vector<Run> runs(facets.empty() ? 0 : (most - least) / 64 + 1);
-  const auto bit = [least](VertexId v) { return std::uint64_t{1} << (v.number() - least) % 64; };
-  const auto run = [&](VertexId v) -> Run& { return runs[(v.number() - least) / 64]; };
-  for (const Facet& f : facets) {
-    for (const VertexId v : f.v) run(v).is_used |= bit(v);
-  }
+std::vector<VertexId> number_vertices(std::vector<Facet>& facets,
+                                      IdArray<VertexId, VertexId>& known) {
   std::vector<VertexId> used;
-  for (std::size_t n = 0; n < runs.size(); ++n) {
-    runs[n].before = static_cast<std::uint32_t>(used.size());
-    for (std::uint64_t left = runs[n].is_used; left != 0; left &= left - 1) {
-      used.emplace_back(least + 64 * n + static_cast<std::size_t>(std::countr_zero(left)));
-    }
-  }
   for (Facet& f : facets) {
     for (VertexId& v : f.v) {
-      const Run& in = run(v);
-      v = VertexId(in.before + static_cast<std::size_t>(std::popcount(in.is_used & (bit(v) - 1))));
+      if (known[v] == kNoId) {
+        known[v] = VertexId(used.size());
+        used.push_back(v);
+      }
+      v = known[v];
     }
   }
+  for (const VertexId v : used) known[v] = kNoId;
   return used;
 }
 

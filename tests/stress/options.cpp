@@ -114,7 +114,7 @@ void mesh_shared(const CommandLine& line, Outcome& outcome) {
   outcome.fault = shared_fault(read_shared(line.mesh.shared),
                                {frame.to_world(box.lo), frame.to_world(box.hi)}, line.options.cap);
   if (outcome.fault.empty() && !run.sound()) outcome.fault = "not sound";
-  outcome.vertices = run.surface_vertices;
+  outcome.vertices = run.report.vertices_refined;
   outcome.triangles = run.mesh.inner_facets;
 }
 
