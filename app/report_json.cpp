@@ -275,6 +275,8 @@ void add_label(ReportWriter& out, const SharedLabel& l) {
                "of its mesh; of label 0 with --cap, with the caps that only this count has");
   add_topology(out, "exact_topology", l.exact, "of its region in T_L (docs/guide/noise.md)");
   out.add("topology_exact", l.mesh == l.exact, "the two are equal");
+  out.add("euler_of_samples", l.euler_of_samples,
+          "of the surface around its samples, neighbors by faces, edges and corners");
   out.add("fault", l.fault, "the first rule of a mesh that its mesh breaks; empty: none");
   out.add_seconds("seconds", l.seconds, "for its field");
 }

@@ -2,6 +2,7 @@
 #include "more/bodies/partition.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -21,6 +22,19 @@ bool is_in(const Volume& block, Index3 sample) {
     if (n < 0 || n >= block.dims()[axis]) return false;
   }
   return true;
+}
+
+// The share of the Euler number of closed cubes that one of their corners has, in eighths: 8 for
+// itself, 4 for an edge, 2 for a face, 1 for a cube. Bit m: cube m around the corner is there.
+std::int64_t share_of_corner(unsigned cubes) {
+  constexpr std::array<unsigned, 3> kLow{0x55, 0x33, 0x0f};  // the cubes below it along each axis
+  int eighths = 8 - std::popcount(cubes);
+  for (int axis = 0; axis < 3; ++axis) {
+    eighths -= (cubes & kLow[axis]) != 0 ? 4 : 0;
+    eighths -= (cubes & ~kLow[axis]) != 0 ? 4 : 0;
+    eighths += 2 * std::popcount((cubes | cubes >> (1 << axis)) & kLow[axis]);
+  }
+  return eighths;
 }
 
 }  // namespace
@@ -132,6 +146,32 @@ std::vector<std::uint64_t> Partition::samples() const {
   std::vector<std::uint64_t> count(size());
   for (const BodyId body : body_) ++count[body];
   return count;
+}
+
+std::vector<std::int64_t> Partition::euler_numbers() const {
+  std::vector<std::int64_t> eighths(size());
+  const Index3 n = shape_.dims();
+  for (int k = 0; k <= n.k; ++k) {
+    for (int j = 0; j <= n.j; ++j) {
+      for (int i = 0; i <= n.i; ++i) {
+        std::array<BodyId, 8> around;
+        for (int m = 0; m < 8; ++m) {
+          const Index3 at{i - (~m & 1), j - (~m >> 1 & 1), k - (~m >> 2 & 1)};
+          const bool is_there =
+              std::min({at.i, at.j, at.k}) >= 0 && at.i < n.i && at.j < n.j && at.k < n.k;
+          around[m] = is_there ? body_at(at) : kNoId;
+        }
+        for (int m = 0; m < 8; ++m) {
+          unsigned cubes = 0;
+          for (int o = 0; o < 8; ++o) cubes |= unsigned{around[o] == around[m]} << o;
+          const bool is_first = std::countr_zero(cubes) == m;
+          if (around[m] != kNoId && is_first) eighths[around[m]] += share_of_corner(cubes);
+        }
+      }
+    }
+  }
+  for (std::int64_t& euler : eighths) euler /= 4;  // of the surface: twice that of the cubes
+  return eighths;
 }
 
 Volume Partition::difference(std::array<BodyId, 2> bodies, const SampleBox& box) const {

@@ -46,6 +46,9 @@ class Partition {
   Vec3 gradient(BodyId body, const Vec3& p) const;
   // Returns how many samples belong to each body.
   std::vector<std::uint64_t> samples() const;
+  // Returns the Euler number of the surface around the samples of each body, each a closed cube: so
+  // they are neighbors by faces, edges and corners.
+  std::vector<std::int64_t> euler_numbers() const;
 
   // Returns the field of `behind` less that of `in_front` at the samples of a box, as a block of
   // the whole: their border is where it is 0. Of a body beyond the box, the distance from its face,
