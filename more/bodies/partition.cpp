@@ -40,12 +40,13 @@ std::int64_t share_of_corner(unsigned cubes) {
 }  // namespace
 
 Partition::Partition(const Grid& shape, std::vector<Volume> fields, BodyId background, int threads,
-                     std::span<const BodyId> kept)
-    : shape_(shape),
-      fields_(std::move(fields)),
-      background_(background),
-      body_(shape.sample_count(), 0) {
-  if (!kept.empty()) keep(kept, threads);
+                     std::vector<BodyId> kept)
+    : shape_(shape), fields_(std::move(fields)), background_(background), body_(std::move(kept)) {
+  if (!body_.empty()) {
+    raise_fields(threads);
+    return;
+  }
+  body_.resize(shape.sample_count());
   const Index3 n = shape.dims();
   for_each_task(threads, static_cast<std::size_t>(n.k), [&](std::size_t slice) {
     std::vector<float> most(static_cast<std::size_t>(n.i) * static_cast<std::size_t>(n.j), 0);
@@ -81,8 +82,8 @@ void Partition::for_each_value(int k, Visit&& visit) const {
   }
 }
 
-// Raises fields.
-void Partition::keep(std::span<const BodyId> kept, int threads) {
+// Raises the field of each sample's body there.
+void Partition::raise_fields(int threads) {
   struct Raised {
     std::size_t sample;
     float value;
@@ -94,7 +95,7 @@ void Partition::keep(std::span<const BodyId> kept, int threads) {
     std::vector<float> own(samples, 0), others(samples, 0);
     for_each_value(static_cast<int>(slice),
                    [&](BodyId body, std::size_t at, std::size_t in_slice, float value) {
-                     float& most = body == kept[at] ? own[in_slice] : others[in_slice];
+                     float& most = body == body_[at] ? own[in_slice] : others[in_slice];
                      most = std::max(most, value);
                    });
     for (std::size_t at = 0; at < samples; ++at) {
@@ -105,7 +106,7 @@ void Partition::keep(std::span<const BodyId> kept, int threads) {
   });
   std::vector<std::vector<Raised>> of_body(size());
   for (const std::vector<Raised>& raised : of_slice) {
-    for (const Raised& r : raised) of_body[kept[r.sample]].push_back(r);
+    for (const Raised& r : raised) of_body[body_[r.sample]].push_back(r);
   }
   for_each_task(threads, size(), [&](std::size_t body) {
     if (of_body[body].empty()) return;

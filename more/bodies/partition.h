@@ -28,7 +28,7 @@ class Partition {
   // is in front of all others; kNoId: none. `kept`: the body of each sample, in whose field's block
   // it is; empty: the fields say it.
   Partition(const Grid& shape, std::vector<Volume> fields, BodyId background, int threads,
-            std::span<const BodyId> kept = {});
+            std::vector<BodyId> kept = {});
 
   std::size_t size() const { return fields_.size(); }  // bodies
   const Grid& shape() const { return shape_; }
@@ -64,7 +64,7 @@ class Partition {
  private:
   template <class Visit>
   void for_each_value(int k, Visit&& visit) const;
-  void keep(std::span<const BodyId> kept, int threads);
+  void raise_fields(int threads);
 
   Grid shape_;
   std::vector<Volume> fields_;
