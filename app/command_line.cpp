@@ -138,6 +138,7 @@ void check_labels(const CommandLine& line) {
   if (!line.field.of_labels()) return;
   refuse_if(line.isovalue.has_value(),
             "--label and --iso exclude each other: a label has an isovalue of its own");
+  refuse_if(line.field.inside_below, "--inside is for --iso: a label has an inside of its own");
   if (!line.field.all_labels) return;
   refuse_if(line.command != Command::mesh, "--label all is for deliso mesh");
   for (const auto& [option, name] :

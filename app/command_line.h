@@ -42,7 +42,8 @@ struct FieldOptions {
   std::vector<std::int64_t> labels;  // the field is the indicator of these
   // Segments of the file, whose labels belong to these (app/input.h).
   std::vector<std::string> segments;
-  bool all_labels = false;  // a mesh for each label of the volume
+  bool all_labels = false;    // a mesh for each label of the volume
+  bool inside_below = false;  // the inside is where samples are smaller
 
   bool of_labels() const { return all_labels || !labels.empty() || !segments.empty(); }
   bool filters_by_gaussian() const { return smooth && smooth->value > 0; }

@@ -83,7 +83,7 @@ struct MeshRun {
   }
   // True if the inside has a part of the volume's border, or all of it: then no loop tells.
   bool reaches_border() const {
-    return found.topology.boundary_loops > 0 || input.volume().sample(0, 0, 0) >= *input.isovalue;
+    return found.topology.boundary_loops > 0 || input.volume().sample(0, 0, 0) >= input.level();
   }
   // Returns the volume inside mesh and caps, in world units. pre: has_volume().
   double volume() const { return world_volume(found.solid.volume, input.grid().frame()); }

@@ -93,6 +93,9 @@ constexpr OptionSpec kInputAndOutput[] = {
      "isovalue: the surface is where the volume's interpolant is K; the inside is where it is "
      "larger",
      [](Line& l, Text o, Text v) { l.isovalue = parse_number(o, v); }},
+    {"--inside", 0, "above|below", kReports,
+     "which side of --iso is inside (default above): below, of a signed distance, air, or a lumen",
+     [](Line& l, Text o, Text v) { l.field.inside_below = choose<bool>(o, v); }},
     {"--output", 'o', "FILE", kOutput,
      "mesh to write: .ply .off .obj .stl .vtp .glb .3mf .smesh .poly, or - for standard output",
      [](Line& l, Text, Text v) { l.output = v; },

@@ -223,8 +223,9 @@ void add_run(ReportWriter& out, const MeshRun& run) {
   const Report& report = run.report;
   add_input(out, run.input);
   out.add("isovalue", run.input.isovalue.value_or(0), "as given");
-  out.add("isovalue_effective", report.kappa_effective,
-          "as used: a hair lower where samples or saddles equal it");
+  out.add("isovalue_effective", run.input.field.mirrored(report.kappa_effective),
+          "as used: a hair further out where samples or saddles equal it");
+  add_inside(out, run.input);
   out.add("r_min", report.r_min, "the option resolved; scaled frame");
   add_options(out, run.line);
   if (out.if_any(run.line.paper)) add_published(out, run.line, run.published);

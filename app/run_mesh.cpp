@@ -47,19 +47,20 @@ constexpr double kManyVertices = 1e7, kMaxVertices = 2.5e8;
 // Throws InputError if no sample can be on one of the two sides. Caps alone are the mesh of labels
 // that fill the volume.
 void require_isovalue_in_range(const MeshRun& run) {
-  const double isovalue = *run.input.isovalue;
-  const ValueRange& range = *run.input.range;
-  if (range.min < isovalue && isovalue <= range.max) return;
-  const std::optional<LabelFacts>& label = run.input.field.label;
-  const bool is_full = label && isovalue <= range.min;
+  const Input& input = run.input;
+  const ValueRange range = input.range_of_field();
+  const double level = input.level();
+  if (range.min < level && level <= range.max) return;
+  const std::optional<LabelFacts>& label = input.field.label;
+  const bool is_full = label && level <= range.min;
   if (is_full && run.line.options.cap) return;
   if (is_full) {
     throw InputError(
         "no surface around label ", joined(label->labels, ", "),
         ", which fills the volume: --cap makes the block (--allow-empty accepts that)");
   }
-  throw InputError(no_surface_text(isovalue, range), ", everything is ",
-                   isovalue <= range.min ? "inside" : "outside", " (--allow-empty accepts that)");
+  throw InputError(no_surface_text(*input.isovalue, *input.range), ", everything is ",
+                   level <= range.min ? "inside" : "outside", " (--allow-empty accepts that)");
 }
 
 // Returns the facets from `begin` to `end`, with the same vertices.
@@ -201,7 +202,7 @@ AsWritten as_written(const TriMesh& mesh, const MeshRun& run, Diagnostics& notes
 TriMesh make_mesh(MeshRun& run, Progress& progress) {
   const CommandLine& line = run.line;
   const Volume& volume = run.input.volume();
-  const double isovalue = *run.input.isovalue;
+  const double isovalue = run.input.level();
   if (!line.mesh.allow_empty) require_isovalue_in_range(run);
   if (run.input.field.label && run.input.range->max < isovalue) {
     const LabelFacts& label = *run.input.field.label;
