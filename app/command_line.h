@@ -104,6 +104,7 @@ struct CommandLine {
   std::string json;    // a path, - or empty
 
   std::optional<double> isovalue;
+  std::vector<double> isovalues;  // several, of mesh alone: a mesh for each
   ReadOptions read;
   FieldOptions field;
   Options options;
@@ -122,7 +123,7 @@ inline bool by_count(const Options& options) {
   return options.has_target();
 }
 
-// True if the meshes of --label all are the objects of one file.
+// True if the meshes of all labels, or of several isovalues, are the objects of one file.
 bool in_one_file(const CommandLine& line);
 
 // Parses `arguments`, which are without the program's name. Throws an InputError of one line on the

@@ -325,20 +325,57 @@ void print_report(const MeshRun& run) {
   print_report(report_text(run), line.output == "-" || line.json == "-");
 }
 
+// Returns the command line of each isovalue's mesh. Throws InputError if some output cannot be
+// written, or is one of `files`, which are read.
+std::vector<CommandLine> lines_of_isovalues(const CommandLine& line,
+                                            std::span<const std::string> files) {
+  std::vector<CommandLine> lines;
+  for (const double isovalue : line.isovalues) {
+    CommandLine one = line;
+    one.isovalue = isovalue;
+    one.output = name_with(line.output, text(isovalue));
+    one.json = name_with(line.json, text(isovalue));
+    one.mesh.write.name = text("isovalue ", isovalue);
+    require_outputs(std::array{one.output, one.json}, files);
+    lines.push_back(std::move(one));
+  }
+  if (lines.empty()) lines.push_back(line);
+  return lines;
+}
+
 int run_mesh(const CommandLine& line) {
   if (line.field.all_labels) return run_labels(line);
   if (line.mesh.part) return run_part(line);
-  const Stopwatch total;
+  Stopwatch total;
   ProgressBar progress(mesh_stages(line), !line.quiet);
   progress.show("reading", 0);
   const Source source = read_source(line);
   progress.tell(source.log.notes);  // before the field is made, which may take long
-  const Input input = input_of(source, line);
-  MeshRun run(line, input);
-  const TriMesh mesh = mesh_input(run, progress);
-  write_files(total, progress, run, mesh);
-  print_report(run);
-  return run.sound() ? kExitSuccess : kFaultFound;
+  Input input = input_of(source, line);
+  bool all_sound = true;
+  std::vector<MeshObject> objects;
+  std::vector<std::int64_t> numbers;
+  const std::vector<CommandLine> lines = lines_of_isovalues(line, source.log.paths());
+  for (const double isovalue : line.isovalues) {
+    input.isovalue = isovalue;
+    if (!line.mesh.allow_empty) require_isovalue_in_range(MeshRun(line, input));
+  }
+  for (const CommandLine& one : lines) {
+    if (!numbers.empty()) {
+      total = {};
+      progress.restart(mesh_stages(one));
+      if (!line.quiet) print("\n");
+    }
+    numbers.push_back(static_cast<std::int64_t>(numbers.size() + 1));
+    if (one.isovalue) input.isovalue = one.isovalue;
+    MeshRun run(one, input);
+    const TriMesh mesh = mesh_input(run, progress);
+    write_files(total, progress, run, mesh, in_one_file(line) ? &objects : nullptr);
+    print_report(run);
+    all_sound &= run.sound();
+  }
+  if (!objects.empty()) write_labels(std::move(objects), numbers, line.output);
+  return all_sound ? kExitSuccess : kFaultFound;
 }
 
 }  // namespace deliso

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -337,4 +338,26 @@ TEST_CASE("inside below is inside above of the mirrored samples") {
     CHECK(below.triangles() == above.triangles());
   }
   CHECK(facets > 1000);
+}
+
+TEST_CASE("several isovalues: each mesh is that of its own run, or none is written") {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& isovalues, const std::string& file) {
+    run_mesh(parsed("builtin:machine:16 -q --cap --iso " + isovalues + " -o " + (folder / file)));
+  };
+  run("60,127.5", "of-%d.ply");
+  run("60,127.5", "all.glb");
+  std::size_t facets = 0;
+  for (const std::string isovalue : {"60", "127.5"}) {
+    run(isovalue, "alone.ply");
+    CHECK(file_bytes(folder / "alone.ply") == file_bytes(folder / ("of-" + isovalue + ".ply")));
+    facets += read_mesh(folder / "alone.ply").faces.size();
+  }
+  MeshNotes notes;
+  CHECK(read_mesh(folder / "all.glb", &notes).faces.size() == facets);
+  CHECK(std::set(notes.colors.begin(), notes.colors.end()).size() == 2);
+  CHECK_THROWS_AS(run("60,300", "late-%d.ply"), InputError);
+  CHECK_FALSE(std::filesystem::exists(folder / "late-60.ply"));
+  CHECK_THROWS_AS(run("60,80", "one.ply"), InputError);
+  CHECK_THROWS_AS(parsed("info builtin:machine --iso 60,80"), InputError);
 }
