@@ -40,13 +40,15 @@ constexpr std::uint32_t kTransferSyntax = 0x00020010, kDescription = 0x0008103e,
                         kLocation = 0x00201041, kInstance = 0x00080018, kImageType = 0x00080008,
                         kFrameOffsets = 0x3004000c, kDoseScaling = 0x3004000e,
                         kDetectors = 0x00540022, kSlices = 0x00540080, kSharedGroups = 0x52009229,
-                        kFrameGroups = 0x52009230, kPixelData = 0x7fe00010, kItem = 0xfffee000,
+                        kFrameGroups = 0x52009230, kSegments = 0x00620002,
+                        kSegmentNumber = 0x00620004, kSegmentLabel = 0x00620005,
+                        kSegmentOfFrame = 0x0062000b, kPixelData = 0x7fe00010, kItem = 0xfffee000,
                         kItemEnd = 0xfffee00d, kSequenceEnd = 0xfffee0dd;
 
 // The sequences of a functional group that hold a plane: Plane Position, Plane Orientation, Pixel
 // Measures, Pixel Value Transformation; and a moment: Frame Content, Temporal Position, MR Echo, MR
-// Diffusion, Cardiac Synchronization.
-constexpr std::uint32_t kPlaneSequences[] = {0x00209113, 0x00209116, 0x00289110,
+// Diffusion, Cardiac Synchronization. The first is Segment Identification.
+constexpr std::uint32_t kPlaneSequences[] = {0x0062000a, 0x00209113, 0x00209116, 0x00289110,
                                              0x00289145, 0x00209111, 0x00209310,
                                              0x00189114, 0x00189117, 0x00189118};
 
@@ -65,6 +67,7 @@ constexpr std::pair<std::uint32_t, std::string DicomFile::*> kStrings[] = {
     {kSeries, &DicomFile::series},
     {kInstance, &DicomFile::instance},
     {kImageType, &DicomFile::image_type},
+    {0x00620001, &DicomFile::segmentation_type},
     {kDescription, &DicomFile::description},
     {kPhotometric, &DicomFile::photometric}};
 constexpr std::pair<std::uint32_t, int DicomFile::*> kShorts[] = {
@@ -74,7 +77,8 @@ constexpr std::pair<std::uint32_t, int DicomFile::*> kShorts[] = {
     {kBitsAllocated, &DicomFile::bits_allocated},
     {kBitsStored, &DicomFile::bits_stored},
     {kHighBit, &DicomFile::high_bit},
-    {kSigned, &DicomFile::is_signed}};
+    {kSigned, &DicomFile::is_signed},
+    {0x00280120, &DicomFile::padding_value}};
 
 constexpr std::string_view kExplicitLittle = "1.2.840.10008.1.2.1",
                            kImplicitLittle = "1.2.840.10008.1.2",
@@ -220,12 +224,13 @@ class DicomParser {
       }
       const bool has_planes = depth == 0
                                   ? element.tag == kSharedGroups || element.tag == kFrameGroups ||
-                                        element.tag == kDetectors
+                                        element.tag == kDetectors || element.tag == kSegments
                                   : plane && std::ranges::count(kPlaneSequences, element.tag) > 0;
       if (element.undefined || has_planes) {
         read_items(element, end, has_planes ? plane : nullptr, depth);
         continue;
       }
+      if (plane == &segment_) read_segment(element);
       if (plane) read_plane(element, *plane);
       if (depth == 0 && element.length > 0) read_image(element);
       at_ += element.length;
@@ -250,6 +255,10 @@ class DicomParser {
       }
       if (sequence.tag == kFrameGroups && plane) plane = &file_.planes.emplace_back();
       if (sequence.tag == kDetectors && plane) plane = &detectors_.emplace_back();
+      if (sequence.tag == kSegments && plane) {
+        file_.segments.emplace_back();
+        plane = &segment_;
+      }
       read_elements(item_end, plane, depth + 1);
       if (!item.undefined) at_ = item_end;
     }
@@ -290,7 +299,19 @@ class DicomParser {
     return *numbers;
   }
 
+  void read_segment(const Element& element) {
+    NamedSegment& segment = file_.segments.back();
+    if (element.tag == kSegmentLabel) segment.name = string_at(element);
+    if (element.tag == kSegmentNumber && element.length == 2) {
+      segment.label = number<std::uint16_t>(at_);
+    }
+  }
+
   void read_plane(const Element& element, DicomPlane& plane) const {
+    if (element.tag == kSegmentOfFrame && element.length == 2) {
+      plane.segment = number<std::uint16_t>(at_);
+      return;
+    }
     if (string_at(element).empty()) return;
     if (element.tag == kPosition) {
       const auto n = numbers_at(element, "ImagePositionPatient", 3);
@@ -414,7 +435,8 @@ class DicomParser {
 
   void check_image() {
     const std::string& name = bytes_.name;
-    if (!file_.is_gray()) {
+    const bool is_segmentation = file_.is_segmentation();
+    if (!file_.is_gray() && !is_segmentation) {
       file_.fault =
           text("is in color (", quote(file_.photometric), "): only grayscale can be meshed");
     }
@@ -426,6 +448,8 @@ class DicomParser {
     const int bits = file_.bits_allocated;
     if (bits == 0) {
       file_.fault = "does not tell the bits of its samples (BitsAllocated)";
+    } else if (is_segmentation && bits == 1 && file_.coding == DicomCoding::plain) {
+      file_.bits_stored = 1;
     } else if ((bits != 8 && bits != 16 && bits != 32) || file_.bits_stored < 1 ||
                file_.bits_stored > bits || file_.high_bit < file_.bits_stored - 1 ||
                file_.high_bit >= bits) {
@@ -454,7 +478,7 @@ class DicomParser {
       }
     } else {
       // Bytes behind the samples are no fault (PS3.5, 8.1.1).
-      const std::size_t found = file_.pixels.size();
+      const std::size_t found = file_.pixels.size() * (bits == 1 ? 8 : 1);
       if (frames > found / size) fail_size(found);
       if (file_.is_swapped_bytes && found % 2 != 0) fail_size(found);
     }
@@ -474,6 +498,7 @@ class DicomParser {
   bool has_pixels_ = false, is_word_data_ = false;
   std::string syntax_;
   std::vector<DicomPlane> detectors_;
+  DicomPlane segment_;  // stands for the one that is read
   DicomFile file_;
 };
 
@@ -542,7 +567,7 @@ int unpack_jpeg(const DicomFile& file, std::size_t frame, std::span<std::byte> o
 }  // namespace
 
 SampleType DicomFile::type() const {
-  if (bits_allocated == 8) return is_signed ? SampleType::i8 : SampleType::u8;
+  if (bits_allocated <= 8) return is_signed ? SampleType::i8 : SampleType::u8;
   if (bits_allocated == 16) return is_signed ? SampleType::i16 : SampleType::u16;
   return is_signed ? SampleType::i32 : SampleType::u32;
 }
@@ -562,6 +587,7 @@ DicomPlane DicomFile::plane(std::size_t frame) const {
   prefer(plane.location, own.location);
   prefer(plane.slope, own.slope);
   prefer(plane.intercept, own.intercept);
+  prefer(plane.segment, own.segment);
   for (std::size_t n = 0; n < own.moment.size(); ++n) prefer(plane.moment[n], own.moment[n]);
   return plane;
 }
@@ -569,6 +595,12 @@ DicomPlane DicomFile::plane(std::size_t frame) const {
 void DicomFile::write_frame(std::size_t frame, std::span<std::byte> out) const {
   const std::size_t first = frame * out.size();
   int stored = bits_stored, high = high_bit;
+  if (bits_allocated == 1) {  // the lowest first, and no frame begins with a byte of its own
+    for (std::size_t n = 0; n < out.size(); ++n) {
+      out[n] = pixels[(first + n) / 8] >> (first + n) % 8 & std::byte{1};
+    }
+    return;
+  }
   if (coding == DicomCoding::rle) {
     unpack_rle(*this, fragments[frame][0], out);
   } else if (coding == DicomCoding::jpeg) {

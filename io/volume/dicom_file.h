@@ -16,6 +16,7 @@
 
 #include "base/vec3.h"
 #include "io/files/input_file.h"
+#include "io/volume/read_volume.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -36,6 +37,7 @@ struct DicomPlane {
   std::optional<double> thickness{};                // SliceThickness, positive
   std::optional<double> location{};                 // SliceLocation
   std::optional<double> slope{}, intercept{};
+  std::optional<int> segment{};  // the number of the frame's
   DicomMoment moment{};
   // The days of AcquisitionTime and ContentTime, as YYYYMMDD; 0 where not given. The times of
   // `moment` are counted with them, so that they go on after midnight.
@@ -62,11 +64,14 @@ struct DicomFile {
   std::int64_t series_number = std::numeric_limits<std::int64_t>::max();  // without one it is last
   std::string photometric;
   std::string image_type;
+  std::string segmentation_type;  // of a segmentation: BINARY, FRACTIONAL or LABELMAP
+  std::vector<NamedSegment> segments;
   int columns = 0, rows = 0;
   std::int64_t frame_count = 1;
   int samples_per_pixel = 1;
   int bits_allocated = 0, bits_stored = 0, high_bit = 0;
-  int is_signed = 0;  // or 1
+  int is_signed = 0;      // or 1
+  int padding_value = 0;  // of a map of labels: of slices without a frame
   DicomCoding coding = DicomCoding::plain;
   bool is_big_endian = false;
   bool is_swapped_bytes = false;  // 8-bit samples in big-endian words of 16 bits
@@ -82,6 +87,7 @@ struct DicomFile {
   std::vector<std::vector<std::span<const std::byte>>> fragments;
 
   const std::string& name() const { return bytes.name; }
+  bool is_segmentation() const { return !segmentation_type.empty(); }
   // Old files do not tell that they are gray.
   bool is_gray() const {
     return samples_per_pixel == 1 && (photometric.empty() || photometric.starts_with("MONOCHROME"));
@@ -100,7 +106,8 @@ struct DicomFile {
   DicomPlane plane(std::size_t frame) const;
   // True if the stored samples are those of `type()`, in one piece.
   bool is_plain() const {
-    return coding == DicomCoding::plain && bits_stored == bits_allocated && !is_swapped_bytes;
+    return coding == DicomCoding::plain && bits_stored == bits_allocated && bits_allocated > 1 &&
+           !is_swapped_bytes;
   }
   // Fills `out` with the samples of a frame in native order. pre: out.size() == frame_size().
   void write_frame(std::size_t frame, std::span<std::byte> out) const;

@@ -83,6 +83,7 @@ void note_padding(const VolumeInput& input, const std::vector<DicomFile>& files)
 
 Volume read_slices(const VolumeInput& input, const std::vector<DicomFile>& files) {
   const DicomFile& first = files[0];
+  if (files.size() == 1 && first.is_segmentation()) return read_dicom_segmentation(input, first);
   if (!first.fault.empty()) fail(first.name(), first.fault);
   if (files.size() == 1 && first.frame_count == 1) {
     fail(first.name(), "is one slice: give the folder that holds the series");
@@ -120,7 +121,9 @@ Volume read_dicom(const VolumeInput& input) {
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
     return read_folder({{folder, {}, nullptr}, input.directory, input.options, input.log});
   }
-  if (files.empty()) fail(input.name(), "is DICOM without an image");
+  if (files.empty()) {
+    fail(input.name(), "is DICOM without an image; contours (RTSTRUCT) become a segmentation in 3D Slicer");
+  }
   return read_dicom_series(input, std::move(files));
 }
 

@@ -125,6 +125,7 @@ std::vector<NamedSegment> read_segments(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return {};
   const Bytes bytes = open_file(path);
+  if (looks_like_dicom(bytes)) return segments_of_dicom(bytes);
   return looks_like_nrrd(bytes) ? segments_of_nrrd(bytes) : std::vector<NamedSegment>();
 }
 

@@ -62,6 +62,9 @@ bool has_dicom_preamble(const Bytes& bytes);
 bool looks_like_dicom(const Bytes& bytes);
 // A file of several frames; or a DICOMDIR, which stands for its folder.
 Volume read_dicom(const VolumeInput& input);
+// A segmentation; and its segments, none of other files.
+Volume read_dicom_segmentation(const VolumeInput& input, const DicomFile& file);
+std::vector<NamedSegment> segments_of_dicom(const Bytes& bytes);
 // One series of these files. `input` has their folder's name.
 Volume read_dicom_series(const VolumeInput& input, std::vector<DicomFile> files);
 
