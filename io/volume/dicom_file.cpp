@@ -49,8 +49,8 @@ constexpr std::uint32_t kTransferSyntax = 0x00020010, kDescription = 0x0008103e,
 // Measures, Pixel Value Transformation; and a moment: Frame Content, Temporal Position, MR Echo, MR
 // Diffusion, Cardiac Synchronization. The first is Segment Identification.
 constexpr std::uint32_t kPlaneSequences[] = {0x0062000a, 0x00209113, 0x00209116, 0x00289110,
-                                             0x00289145, 0x00209111, 0x00209310,
-                                             0x00189114, 0x00189117, 0x00189118};
+                                             0x00289145, 0x00209111, 0x00209310, 0x00189114,
+                                             0x00189117, 0x00189118};
 
 // The elements of a moment, and their places in it. Files of several frames have their own.
 constexpr std::pair<std::uint32_t, std::size_t> kMoments[] = {
@@ -64,12 +64,9 @@ constexpr std::size_t kTimes = 5;
 
 // The elements of an image that are texts, and those that are numbers of 16 bits.
 constexpr std::pair<std::uint32_t, std::string DicomFile::*> kStrings[] = {
-    {kSeries, &DicomFile::series},
-    {kInstance, &DicomFile::instance},
-    {kImageType, &DicomFile::image_type},
-    {0x00620001, &DicomFile::segmentation_type},
-    {kDescription, &DicomFile::description},
-    {kPhotometric, &DicomFile::photometric}};
+    {kSeries, &DicomFile::series},           {kInstance, &DicomFile::instance},
+    {kImageType, &DicomFile::image_type},    {0x00620001, &DicomFile::segmentation_type},
+    {kDescription, &DicomFile::description}, {kPhotometric, &DicomFile::photometric}};
 constexpr std::pair<std::uint32_t, int DicomFile::*> kShorts[] = {
     {kSamplesPerPixel, &DicomFile::samples_per_pixel},
     {kRows, &DicomFile::rows},

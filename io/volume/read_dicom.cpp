@@ -122,7 +122,8 @@ Volume read_dicom(const VolumeInput& input) {
     return read_folder({{folder, {}, nullptr}, input.directory, input.options, input.log});
   }
   if (files.empty()) {
-    fail(input.name(), "is DICOM without an image; contours (RTSTRUCT) become a segmentation in 3D Slicer");
+    fail(input.name(),
+         "is DICOM without an image; contours (RTSTRUCT) become a segmentation in 3D Slicer");
   }
   return read_dicom_series(input, std::move(files));
 }

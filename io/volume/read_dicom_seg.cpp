@@ -101,7 +101,7 @@ void find_channels(const DicomFile& file, const std::vector<Frames>& slices,
   std::map<std::int64_t, std::set<std::int64_t>> overlaps;
   std::vector<std::byte> frame(file.frame_size());
   for (const Frames& frames : slices) {
-    std::vector<std::vector<std::int64_t>> owners;  // the first segment at each sample, the second
+    std::vector<std::vector<std::uint16_t>> owners;  // the first segment at each sample, the second
     for (const std::size_t n : frames) {
       const std::int64_t own = segment_of(file, n);
       file.write_frame(n, frame);
@@ -109,9 +109,9 @@ void find_channels(const DicomFile& file, const std::vector<Frames>& slices,
         std::size_t level = 0;
         for (; frame[at] != std::byte{0} && level <= owners.size(); ++level) {
           if (level == owners.size()) owners.emplace_back(frame.size());
-          std::int64_t& owner = owners[level][at];
+          std::uint16_t& owner = owners[level][at];
           if (owner == 0) {
-            owner = own;
+            owner = static_cast<std::uint16_t>(own);
             break;
           }
           overlaps[own].insert(owner);
@@ -134,6 +134,7 @@ Volume read_dicom_segmentation(const VolumeInput& input, const DicomFile& file) 
   if (!file.fault.empty()) fail(file.name(), file.fault);
   const Segmented made = place_frames(input, file);
   std::vector<NamedSegment> segments = file.segments;
+  if (segments.empty()) fail(file.name(), "is a segmentation without a segment");
   const bool is_map = file.segmentation_type == "LABELMAP",
              has_shares = file.segmentation_type == "FRACTIONAL";
   if (has_shares) {

@@ -115,7 +115,8 @@ TEST_CASE("foreign formats are named, with a way to convert them") {
     return file.replace(offset, magic.size(), magic);
   };
   const std::tuple<std::string, std::string, std::string> files[] = {
-      {"slice", nothing.substr(0, 128) + "DICM", "is DICOM without an image"},
+      {"slice", nothing.substr(0, 128) + "DICM",
+       "is DICOM without an image; contours (RTSTRUCT) become a segmentation in 3D Slicer"},
       {"a.h5", at(0, "\x89HDF\r\n\x1a\n"), "is HDF5: 'h5ls -r FILE' lists"},
       {"a.mnc", at(0, "\x89HDF\r\n\x1a\n"), "is MINC: convert it with python3 -c"},
       {"a.mgh", at(3, "\x1"), "is MGH: convert it with python3 -c"},
