@@ -48,3 +48,4 @@ ls -S "$out/units" | sed 's/\.cpp$//' | xargs -P "$jobs" -I UNIT ${WASM_LAUNCHER
   -L$libraries/lib/wasm32-wasi "$out"/objects/*.o -lc++ -lc++abi \
   -lwasi-emulated-getpid -lwasi-emulated-mman -lwasi-emulated-signal -Wl,--wrap=close -Wl,--wrap=fstat \
   -Wl,--strip-all -Wl,-z,stack-size=8388608 -Wl,--max-memory=4294967296 -o "$out/deliso.wasm"
+cp web/npm/deliso.mjs "$out/"
