@@ -49,3 +49,7 @@ ls -S "$out/units" | sed 's/\.cpp$//' | xargs -P "$jobs" -I UNIT ${WASM_LAUNCHER
   -lwasi-emulated-getpid -lwasi-emulated-mman -lwasi-emulated-signal -Wl,--wrap=close -Wl,--wrap=fstat \
   -Wl,--strip-all -Wl,-z,stack-size=8388608 -Wl,--max-memory=4294967296 -o "$out/deliso.wasm"
 cp web/npm/deliso.mjs "$out/"
+
+# The page, for any server of files.
+mkdir -p "$out/page"
+cp web/page/* "$out/deliso.wasm" "$out/page/"
