@@ -68,8 +68,8 @@ async function run(args, wanted, stage) {
 // A new volume: what is in it, and which isovalues may be of interest.
 async function open_volume(files, name) {
   const input = input_of(Object.keys(files));
-  for (const id of ['isovalue-section', 'mesh-section', 'result']) show(id, false);
-  by_id('loaded').textContent = '';
+  for (const id of ['isovalue-section', 'mesh-section', 'result', 'slices']) show(id, false);
+  for (const id of ['loaded', 'surface']) by_id(id).textContent = '';
   if (!input) return say('Which file is the volume? Give one file, or a header and its data, or a folder of slices.');
   Object.assign(volume, { files, input });
   const done = await run(['info', input, '--json', 'info.json'], ['info.json'], `reading ${name}`);

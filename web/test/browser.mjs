@@ -53,12 +53,14 @@ export class Browser {
     this.process.stdio[3].write(`${JSON.stringify({ id, method, params, sessionId: this.session })}\0`);
     return new Promise((resolve, reject) => this.calls.set(id, { resolve, reject }));
   }
-  async open(address) {
+  async begin() {
     const { targetInfos } = await this.send('Target.getTargets');
     const { targetId } = targetInfos.find((target) => target.type === 'page');
     this.session = (await this.send('Target.attachToTarget', { targetId, flatten: true })).sessionId;
     for (const domain of ['Page', 'Runtime', 'Log', 'DOM']) await this.send(`${domain}.enable`);
     await this.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: this.folder });
+  }
+  async open(address) {
     await this.send('Page.navigate', { url: address });
   }
   // The value of an expression in the page; a promise is awaited.
@@ -92,6 +94,11 @@ export class Browser {
     const { root } = await this.send('DOM.getDocument');
     const { nodeId } = await this.send('DOM.querySelector', { nodeId: root.nodeId, selector });
     await this.send('DOM.setFileInputFiles', { nodeId, files });
+  }
+  // Files and folders, as a file manager drops them.
+  async drop(files, x, y) {
+    const data = { items: [], files, dragOperationsMask: 1 };
+    for (const type of ['dragEnter', 'dragOver', 'drop']) await this.send('Input.dispatchDragEvent', { type, x, y, data });
   }
   async picture() {
     const { data } = await this.send('Page.captureScreenshot', { format: 'png' });

@@ -4,7 +4,7 @@
 // of the native program. Pictures go to a folder, if one is given.
 // Usage: node page.mjs build-web/page NATIVE [PICTURES] [axe.min.js]
 import { execFileSync, spawnSync } from 'node:child_process';
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { Browser, serve } from './browser.mjs';
 
@@ -35,6 +35,21 @@ async function set_text(id, text) {
   await browser.value(`document.querySelector('#${id}').select()`);
   await browser.type(text);
 }
+// A gray image of bytes, as TIFF: a header, the samples, and nine fields that describe them.
+function tiff(width, height, samples) {
+  const fields = [[256, 4, width], [257, 4, height], [258, 3, 8], [259, 3, 1], [262, 3, 1], [273, 4, 8], [277, 3, 1],
+    [278, 4, height], [279, 4, samples.length]];
+  const end = Buffer.alloc(2 + 12 * fields.length + 4), begin = Buffer.from('II*\0\0\0\0\0', 'latin1');
+  begin.writeUInt32LE(8 + samples.length, 4);
+  end.writeUInt16LE(fields.length);
+  fields.forEach(([tag, type, value], n) => {
+    end.writeUInt16LE(tag, 2 + 12 * n);
+    end.writeUInt16LE(type, 4 + 12 * n);
+    end.writeUInt32LE(1, 6 + 12 * n);
+    end.writeUInt32LE(value, 10 + 12 * n);
+  });
+  return Buffer.concat([begin, samples, end]);
+}
 // A file that the page saves, as bytes.
 async function saved(label, name) {
   await browser.value(`[...document.querySelectorAll('#downloads button')].find((b) => b.textContent === '${label}').click()`);
@@ -52,9 +67,10 @@ async function violations() {
 }
 
 try {
+  await browser.begin();
   await browser.size(1100, 900);
   await browser.open(`http://127.0.0.1:${server.address().port}/`);
-  await browser.until("!document.querySelector('#main').hidden");
+  await browser.until("document.querySelector('#main')?.hidden === false");
   await picture('1-begin');
 
   // A formula: the keyboard alone, from the beginning of the page.
@@ -116,13 +132,32 @@ try {
   await browser.until(`${is_idle} && document.querySelector('#message').textContent.startsWith('deliso: style.css')`);
   holds('a file that is no volume is one line', !(await text_of('message')).includes('\n'));
 
+  // What is dropped: a header with its data, a folder of slices.
+  const header = join(browser.folder, 'ramp.nhdr'), slices = join(browser.folder, 'slices');
+  writeFileSync(header, 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 8 8 8\nencoding: raw\ndata file: ramp.raw\n');
+  writeFileSync(join(browser.folder, 'ramp.raw'), Buffer.from(Array.from({ length: 512 }, (_, at) => at % 8)));
+  mkdirSync(slices);
+  for (let k = 0; k < 12; ++k) {
+    writeFileSync(join(slices, `${String(k).padStart(2, '0')}.tif`), tiff(10, 8, Buffer.alloc(80, 20 * k)));
+  }
+  const dropped = async (files, loaded) => {
+    await browser.value('scrollTo(0, 0)');
+    await browser.drop(files, 500, 260);
+    await browser.until(`document.querySelector('#loaded').textContent.includes('${loaded}') && ${is_idle}`);
+    await browser.until(`document.querySelector('#surface').textContent !== '' && ${is_idle}`);
+    return (await text_of('surface')).includes(': 1 component');
+  };
+  holds('a header and its data are dropped',
+        await dropped([header, join(browser.folder, 'ramp.raw')], '2 files: 8 × 8 × 8 uint8'));
+  holds('a folder of slices is dropped', await dropped([slices], 'slices: 10 × 8 × 12 uint8'));
+
   // A telephone.
   await browser.choose_files('#files', [path]);
   await browser.until(`document.querySelector('#loaded').textContent.includes('balls') && ${is_idle}`);
   await set_text('options', '--max-distance 0.3vox');
   await browser.value("document.querySelector('#mesh').click()");
   await browser.until(`!document.querySelector('#result').hidden && ${is_idle}`);
-  const wide = await violations();
+  const wide = await violations();  // in light colors
   await browser.size(360, 740);
   holds('nothing is wider than a telephone', await no_wider(360));
   for (const id of ['volume-title', 'isovalue-title', 'mesh-title', 'result-title']) {
@@ -130,8 +165,10 @@ try {
     await new Promise((done) => setTimeout(done, 300));
     await picture(`6-narrow-${id.replace('-title', '')}`);
   }
-  const narrow = await violations();
-  if (axe) holds(`axe finds nothing ${[...wide, ...narrow].join('; ')}`, wide.length + narrow.length === 0);
+  await browser.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: 'dark' }] });
+  await picture('7-dark');
+  const found = [...wide, ...await violations()];
+  if (axe) holds(`axe finds nothing, in light and dark ${found.join('; ')}`, found.length === 0);
   holds(`the console is empty ${browser.console.join('; ')}`, browser.console.length === 0);
 } catch (fault) {
   holds(`${fault.message}; the page says "${await text_of('message').catch(() => '')}"; ${browser.console.join('; ')}`, false);
