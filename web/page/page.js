@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page: a volume, an isovalue, a mesh. Each step is one run of the program in a worker. A newer run ends an
 // older one, and so does the stop button.
-import { command_of, heights_of, histogram_of, input_of, rounded, words_of } from './report.js';
+import { command_of, heights_of, histogram_of, input_of, rounded, stem_of, words_of } from './report.js';
 
 const by_id = (id) => document.getElementById(id);
 const kFormats = ['ply', 'stl', '3mf', 'glb'];
@@ -70,7 +70,6 @@ async function open_volume(files, name) {
   const input = input_of(Object.keys(files));
   for (const id of ['isovalue-section', 'mesh-section', 'result', 'slices']) show(id, false);
   for (const id of ['loaded', 'surface']) by_id(id).textContent = '';
-  if (!input) return say('Which file is the volume? Give one file, or a header and its data, or a folder of slices.');
   Object.assign(volume, { files, input });
   const done = await run(['info', input, '--json', 'info.json'], ['info.json'], `reading ${name}`);
   if (!done) return;
@@ -200,7 +199,7 @@ async function download(format) {
   }
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob([made.files[format]]));
-  link.download = `${volume.input.split('/').at(-1).replace(/\.(nii\.gz|\w+)$/i, '') || 'mesh'}.${format}`;
+  link.download = `${stem_of(volume.input)}.${format}`;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 }

@@ -37,12 +37,17 @@ export function command_of(args) {
     .join(' ');
 }
 
-// Which of the dropped files the program is to open: a header, else the only file, else the folder of all.
+// Which of the given files the program is to open: a header, else the only file, else the folder of all.
 export function input_of(paths) {
   const names = paths.filter((path) => !path.split('/').at(-1).startsWith('.'));
   if (names.length === 1) return names[0];
-  const header = names.find((path) => /\.(nhdr|mhd|hdr|dicomdir)$/i.test(path));
+  const header = names.find((path) => /(\.(nhdr|mhd|hdr)|^dicomdir|\/dicomdir)$/i.test(path));
   if (header) return header;
-  const folders = new Set(names.map((path) => path.split('/').slice(0, -1).join('/')));
-  return folders.size === 1 && !folders.has('') ? [...folders][0] : '';
+  const folders = new Set(names.map((path) => path.slice(0, Math.max(0, path.indexOf('/')))));
+  return folders.size === 1 && !folders.has('') ? [...folders][0] : '.';
+}
+
+// What files that are made of an input are called.
+export function stem_of(input) {
+  return input.split('/').at(-1).replace(/\.(nii\.gz|\w+)$/i, '').replace(/^\.$/, '') || 'mesh';
 }

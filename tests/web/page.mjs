@@ -149,6 +149,8 @@ try {
   };
   holds('a header and its data are dropped',
         await dropped([header, join(browser.folder, 'ramp.raw')], '2 files: 8 × 8 × 8 uint8'));
+  const three = ['00', '01', '02'].map((name) => join(slices, `${name}.tif`));
+  holds('slices without their folder are dropped', await dropped(three, '3 files: 10 × 8 × 3 uint8'));
   holds('a folder of slices is dropped', await dropped([slices], 'slices: 10 × 8 × 12 uint8'));
 
   // A telephone.
