@@ -135,10 +135,10 @@ try {
   // What is dropped: a header with its data, a folder of slices.
   const header = join(browser.folder, 'ramp.nhdr'), slices = join(browser.folder, 'slices');
   writeFileSync(header, 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 8 8 8\nencoding: raw\ndata file: ramp.raw\n');
-  writeFileSync(join(browser.folder, 'ramp.raw'), Buffer.from(Array.from({ length: 512 }, (_, at) => at % 8)));
+  writeFileSync(join(browser.folder, 'ramp.raw'), Buffer.from(Array.from({ length: 512 }, (_, at) => 20 * (at % 8) + 3 * (at >> 3 & 7) + (at >> 6))));
   mkdirSync(slices);
   for (let k = 0; k < 12; ++k) {
-    writeFileSync(join(slices, `${String(k).padStart(2, '0')}.tif`), tiff(10, 8, Buffer.alloc(80, 20 * k)));
+    writeFileSync(join(slices, `${String(k).padStart(2, '0')}.tif`), tiff(10, 8, Buffer.from(Array.from({ length: 80 }, (_, at) => 18 * k + at % 10))));
   }
   const dropped = async (files, loaded) => {
     await browser.value('scrollTo(0, 0)');
@@ -152,6 +152,22 @@ try {
   const three = ['00', '01', '02'].map((name) => join(slices, `${name}.tif`));
   holds('slices without their folder are dropped', await dropped(three, '3 files: 10 × 8 × 3 uint8'));
   holds('a folder of slices is dropped', await dropped([slices], 'slices: 10 × 8 × 12 uint8'));
+
+  // A segmentation: one label, then all of them as one mesh.
+  const labels = join(browser.folder, 'labels.nrrd');
+  writeFileSync(labels, 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 20 20 20\nencoding: ascii\n\n' +
+    Array.from({ length: 8000 }, (_, at) => {
+      const [i, j, k] = [at % 20, Math.floor(at / 20) % 20, Math.floor(at / 400)].map((n) => n - 9.5);
+      return i * i + j * j + k * k > 60 ? 0 : i > 0 ? 1 : j > 0 ? 2 : 3;
+    }).join(' '));
+  await browser.value("document.querySelector('#options').value = ''");
+  await browser.choose_files('#files', [labels]);
+  await browser.until(`document.querySelector('#surface').textContent.startsWith('Label 1: 1 component') && ${is_idle}`);
+  await browser.value("[...document.querySelectorAll('#suggestions button')].find((b) => b.textContent === 'all labels').click()");
+  holds('all labels are one mesh', await text_of('command') === 'deliso labels.nrrd --cap --label all --shared mesh.ply');
+  await browser.value("document.querySelector('#mesh').click()");
+  await browser.until(`!document.querySelector('#result').hidden && ${is_idle}`);
+  holds('which is saved as 3MF', (await saved('3MF', 'labels.3mf')).toString('latin1', 0, 2) === 'PK');
 
   // A telephone.
   await browser.choose_files('#files', [path]);

@@ -50,6 +50,10 @@ assert.equal(report.rounded(61.6234567, [0, 255]), 61.6);
 assert.equal(report.rounded(0.0012345678, [0, 0.01]), 0.00123);
 assert.equal(report.rounded(1234.56, [-1000, 3000]), 1235);
 assert.deepEqual(report.words_of(' --smooth  1 --label "a b",c '), ['--smooth', '1', '--label', 'a b,c']);
+assert.equal(report.label_in(['--cap', '--label', 'all']), 'all');
+assert.equal(report.label_in(['--cap']), null);
+assert.equal(report.label_to_try('a\ntry       --label 12   952 samples\n'), '12');
+assert.equal(report.label_to_try(text), null);
 assert.equal(report.command_of(['my scan.nrrd', '--iso', '1']), "deliso 'my scan.nrrd' --iso 1");
 for (const [paths, input] of [
   [['a.nrrd'], 'a.nrrd'], [['a.raw', 'a.nhdr'], 'a.nhdr'], [['scan/1.dcm', 'scan/2.dcm', 'scan/.hidden'], 'scan'],

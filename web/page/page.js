@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page: a volume, an isovalue, a mesh. Each step is one run of the program in a worker. A newer run ends an
 // older one, and so does the stop button.
-import { command_of, heights_of, histogram_of, input_of, rounded, stem_of, words_of } from './report.js';
+import { command_of, heights_of, histogram_of, input_of, label_in, label_to_try, rounded, stem_of, words_of } from './report.js';
 
 const by_id = (id) => document.getElementById(id);
 const kFormats = ['ply', 'stl', '3mf', 'glb'];
@@ -79,7 +79,7 @@ async function open_volume(files, name) {
     `${Number(volume.range[0].toPrecision(6))} to ${Number(volume.range[1].toPrecision(6))}`;
   by_id('info').textContent = done.said;
   draw_histogram(histogram_of(done.said));
-  suggest(info.suggestions.map((one) => rounded(one.isovalue, volume.range)));
+  suggest(info.suggestions.map((one) => rounded(one.isovalue, volume.range)), label_to_try(done.said));
   show('isovalue-section');
   show('mesh-section');
   look();
@@ -98,26 +98,41 @@ function draw_histogram(bars) {
   by_id('histogram').append(mark);
 }
 
-// Zero is what a formula is about.
-function suggest(isovalues) {
+// Zero is what a formula is about; a segmentation has labels.
+function suggest(isovalues, label) {
   const [low, high] = volume.range;
   const is_formula = volume.input === kSampled && low < 0 && high > 0;
   const all = [...new Set([...(is_formula ? [0] : []), ...isovalues])];
-  by_id('suggestions').replaceChildren(...(all.length > 0 ? ['Try'] : []), ...all.map((value) => {
-    const button = document.createElement('button');
-    button.type = 'button';
-    button.textContent = value;
-    button.setAttribute('aria-label', `Isovalue ${value}`);
-    button.addEventListener('click', () => {
-      set_isovalue(value);
+  const button = (text, meaning, choose) => {
+    const made = document.createElement('button');
+    made.type = 'button';
+    made.textContent = text;
+    made.setAttribute('aria-label', meaning);
+    made.addEventListener('click', () => {
+      choose();
       look();
     });
-    return button;
-  }));
+    return made;
+  };
+  const labels = (label === null ? [] : [label, 'all']).map((one) =>
+    button(one === 'all' ? 'all labels' : `label ${one}`, one === 'all' ? 'Mesh all labels' : `Mesh label ${one}`,
+           () => set_label(one)));
+  by_id('suggestions').replaceChildren(...(all.length + labels.length > 0 ? ['Try'] : []), ...labels,
+    ...all.map((value) => button(value, `Isovalue ${value}`, () => {
+      set_label(null);
+      set_isovalue(value);
+    })));
   Object.assign(by_id('slider'), { min: low, max: high });
+  set_label(label);
   set_isovalue(all[0] ?? rounded((low + high) / 2, volume.range));
 }
 
+// A label is meshed in place of an isovalue, by an option.
+function set_label(label) {
+  const others = by_id('options').value.replace(/ *--label +\S+/, '').trim();
+  by_id('options').value = label === null ? others : `${others} --label ${label}`.trim();
+  show_command();
+}
 function set_isovalue(value) {
   by_id('isovalue').value = value;
   by_id('slider').value = value;
@@ -127,19 +142,21 @@ function set_isovalue(value) {
   show_command();
 }
 
-// The surface of this isovalue in three slices, and its topology.
+// The surface of this isovalue, or label, in three slices, and its topology.
 async function look() {
   clearTimeout(look.timer);
-  const isovalue = by_id('isovalue').value;
-  const args = ['info', volume.input, '--iso', isovalue, '-o', 'slices.png', '--json', 'info.json', ...smoothing()];
-  const done = await run(args, ['slices.png', 'info.json'], 'looking at the surface');
+  const isovalue = by_id('isovalue').value, label = label_in(further_options());
+  const what = label === null ? ['--iso', isovalue] : ['--label', label];
+  const args = ['info', volume.input, ...what, '-o', 'slices.png', '--json', 'info.json', ...smoothing()];
+  const done = label === 'all' ? null : await run(args, ['slices.png', 'info.json'], 'looking at the surface');
   by_id('surface').textContent = '';
   show('slices', done !== null);
   if (!done) return;
   const { topology } = JSON.parse(new TextDecoder().decode(done.outputs['info.json'])).surface;
   const count = (number, noun) => `${number.toLocaleString('en')} ${noun}${number === 1 ? '' : 's'}`;
-  by_id('surface').textContent = `At ${isovalue}: ${count(topology.components, 'component')}, Euler number ` +
-    `${topology.euler}, ${count(topology.boundary_loops, 'boundary loop')}`;
+  by_id('surface').textContent = `${label === null ? `At ${isovalue}` : `Label ${label}`}: ` +
+    `${count(topology.components, 'component')}, Euler number ${topology.euler}, ` +
+    count(topology.boundary_loops, 'boundary loop');
   URL.revokeObjectURL(by_id('slices').src);
   by_id('slices').src = URL.createObjectURL(new Blob([done.outputs['slices.png']], { type: 'image/png' }));
 }
@@ -152,23 +169,29 @@ function smoothing() {
   const voxels = Number(by_id('smooth').value);
   return voxels > 0 ? ['--smooth', `${voxels}vox`] : [];
 }
+function further_options() {
+  return words_of(by_id('options').value);
+}
 function mesh_arguments() {
-  const distance = by_id('distance').value;
-  const further = words_of(by_id('options').value), gives_size = further.some((word) => /^--(max-distance|vertices|triangles)/.test(word));
-  const is_labels = further.some((word) => word.startsWith('--label'));
-  return [volume.input, ...(is_labels ? [] : ['--iso', by_id('isovalue').value]),
-    ...(distance === '0.1' || distance === '' || gives_size ? [] : ['--max-distance', `${distance}vox`]),
+  const distance = by_id('distance').value, further = further_options();
+  const has_size = further.some((word) => /^--(max-distance|vertices|triangles)$/.test(word));
+  return [volume.input, ...(label_in(further) === null ? ['--iso', by_id('isovalue').value] : []),
+    ...(distance === '0.1' || distance === '' || has_size ? [] : ['--max-distance', `${distance}vox`]),
     ...smoothing(), ...(by_id('cap').checked ? ['--cap'] : []), ...further];
 }
+// All labels are one mesh, whose regions have common surfaces.
+function saved_as(args, name) {
+  return [...args, label_in(args) === 'all' ? '--shared' : '-o', name];
+}
 function show_command() {
-  by_id('command').textContent = command_of([...mesh_arguments(), '-o', 'mesh.ply']);
+  by_id('command').textContent = command_of(saved_as(mesh_arguments(), 'mesh.ply'));
 }
 
 async function make_mesh() {
   clearTimeout(look.timer);
   show('result', false);
   const args = mesh_arguments();
-  const done = await run([...args, '-o', 'mesh.ply'], ['mesh.ply'], 'meshing');
+  const done = await run(saved_as(args, 'mesh.ply'), ['mesh.ply'], 'meshing');
   const mesh = done?.outputs['mesh.ply'];
   if (!mesh) return;
   Object.assign(made, { args, files: { ply: mesh } });
@@ -193,9 +216,10 @@ async function show_mesh(mesh) {
 // The same mesh in another format is the same run with another name, and made when it is asked for.
 async function download(format) {
   if (!made.files[format]) {
-    const done = await run([...made.args, '-q', '-o', `mesh.${format}`], [`mesh.${format}`], `writing ${format.toUpperCase()}`);
-    if (!done?.outputs[`mesh.${format}`]) return;
-    made.files[format] = done.outputs[`mesh.${format}`];
+    const name = `mesh.${format}`;
+    const done = await run(saved_as([...made.args, '-q'], name), [name], `writing ${format.toUpperCase()}`);
+    if (!done?.outputs[name]) return;
+    made.files[format] = done.outputs[name];
   }
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob([made.files[format]]));

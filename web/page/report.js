@@ -31,6 +31,16 @@ export function words_of(text) {
   return words;
 }
 
+// The labels of a segmentation that the options name: 'all', numbers, or null.
+export function label_in(words) {
+  const at = words.indexOf('--label');
+  return at < 0 ? null : words[at + 1] ?? '';
+}
+// The label that `deliso info` says to try, or null.
+export function label_to_try(text) {
+  return /^try +--label (\S+)/m.exec(text)?.[1] ?? null;
+}
+
 // The command that does the same at a terminal.
 export function command_of(args) {
   return ['deliso', ...args].map((word) => /^[\w./:=,%+-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`)
