@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// C++ exceptions in WebAssembly. Debian's libc++abi for this target is built without them, so the
-// functions that the compiler calls are here, after the Itanium C++ ABI, "Exception Handling", and
-// WebAssembly's conventions for it:
+// C++ exceptions in WebAssembly: the functions that the compiler calls for throw and catch.
+// Debian's libc++abi for this target is built without them. They follow the Itanium C++ ABI,
+// "Exception Handling", with WebAssembly's conventions:
 //
 // 1. `throw` is an instruction with a tag, whose operand is the address of the record of an
 //    exception.
-// 2. The engine unwinds the stack. Where a `catch` of the source may match, the code stores which
-//    landing pad this is and where its function's table lies, and calls _Unwind_CallPersonality(),
-//    which answers with the index of the matching type, or with 0. The code then goes on to the
-//    handler, or throws on.
+// 2. The engine unwinds the stack. Where a `catch` of the source may match, the code stores the
+//    number of the landing pad and the address of its function's table. It calls
+//    _Unwind_CallPersonality(), which answers with the index of the matching type, or with 0. The
+//    code then goes on to the handler, or throws on.
 //
 // Types are compared by address, as all is linked into one module. Classes have one base at most,
 // at their beginning, so that no address has to be adjusted.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the program wants of a system, on WASI: functions that wasi-libc lacks, and in place of
-// app/signals.cpp and app/peak_memory.cpp what they can do here.
+// Functions of the system that wasi-libc lacks. This file also stands in for app/signals.cpp and
+// app/peak_memory.cpp: there are no signals here, and memory is measured otherwise.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,7 +13,7 @@
 
 namespace {
 
-// Relative paths begin where the user is. The host grants a tree of folders, and tells by $PWD.
+// Relative paths begin where the user is: in $PWD, a folder of the tree that the host grants.
 [[gnu::constructor]] void enter_folder() {
   const char* const folder = std::getenv("PWD");
   if (folder) static_cast<void>(chdir(folder));

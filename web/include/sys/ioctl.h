@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <sys/ioctl.h>, with the size of a terminal, which WASI does not tell.
+// The header for devices, with the size of a terminal, which WASI does not tell.
 #pragma once
 
 #include_next <sys/ioctl.h>

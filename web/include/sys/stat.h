@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <sys/stat.h>, with functions that WASI lacks (web/system.cpp).
+// The header for the state of a file, with a function that WASI lacks (web/system.cpp).
 #pragma once
 
 #include_next <sys/stat.h>
