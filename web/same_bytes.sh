@@ -79,6 +79,8 @@ mesh gyroid.glb builtin:gyroid:24 --paper -o gyroid.glb
 mesh spheres.vtp builtin:five_spheres --smooth 0.7vox --vertices 800 -o spheres.vtp
 mesh labels.3mf "$labels" --label all --shared labels.3mf
 
+# Memory that grows much in a short run: there Node crashed, see web/npm/deliso.mjs.
+same long.ply builtin:gyroid:200 --max-distance 0.03vox -o long.ply
 same view.html view torus.stl -o view.html
 same render.png render torus.stl -o render.png
 same slices.png info builtin:fuel --iso 70.1 -o slices.png

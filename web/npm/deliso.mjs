@@ -4,6 +4,11 @@
 // environment, folder and exit status. It sees the files that the user sees.
 import { readFileSync } from 'node:fs';
 import { parse } from 'node:path';
+import { setFlagsFromString } from 'node:v8';
+
+// Node's functions for WASI are called by V8's fast way for host functions, on which no garbage may be
+// collected. They allocate, so it is, and Node crashes at random: github.com/nodejs/node/issues/46777.
+setFlagsFromString('--no-turbo-fast-api-calls');
 
 // node:wasi says on standard error that it may change. A run's errors are all that belongs there.
 process.emitWarning = () => {};
@@ -16,8 +21,6 @@ const wasi = new WASI({
   env: { ...process.env, PWD: `/${folder.slice(root.length).replaceAll('\\', '/')}` },
   preopens: { '/': root },
 });
-// Node forgets the object while the program runs, and with it the open files, unless something holds it.
-globalThis.wasi = wasi;
 // What a native program is ended with that breaks a rule of its own (SIGABRT).
 const kAborted = 134;
 try {
