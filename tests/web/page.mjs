@@ -50,6 +50,28 @@ function tiff(width, height, samples) {
   });
   return Buffer.concat([begin, samples, end]);
 }
+// A slice of a CT with 16 bits, as DICOM: elements of a group, a number, a kind and a value.
+function dicom(width, height, number, samples) {
+  const short = (value) => Buffer.from(Uint16Array.of(value).buffer), text = (value) => Buffer.from(value);
+  const element = (group, n, kind, value) => {
+    const even = Buffer.concat([value, Buffer.alloc(value.length % 2, kind === 'UI' ? 0 : 0x20)]);
+    const head = Buffer.alloc(kind === 'OW' ? 12 : 8);
+    head.writeUInt16LE(group);
+    head.writeUInt16LE(n, 2);
+    head.write(kind, 4);
+    if (kind === 'OW') head.writeUInt32LE(even.length, 8);
+    else head.writeUInt16LE(even.length, 6);
+    return Buffer.concat([head, even]);
+  };
+  return Buffer.concat([Buffer.alloc(128), text('DICM'),
+    element(2, 0x10, 'UI', text('1.2.840.10008.1.2.1')), element(8, 0x60, 'CS', text('CT')),
+    element(0x20, 0xe, 'UI', text('1.2.3')), element(0x20, 0x13, 'IS', text(`${number}`)),
+    element(0x20, 0x32, 'DS', text(`0\\0\\${2 * number}`)), element(0x20, 0x37, 'DS', text('1\\0\\0\\0\\1\\0')),
+    element(0x28, 2, 'US', short(1)), element(0x28, 4, 'CS', text('MONOCHROME2')), element(0x28, 0x10, 'US', short(height)),
+    element(0x28, 0x11, 'US', short(width)), element(0x28, 0x30, 'DS', text('1\\1')), element(0x28, 0x100, 'US', short(16)),
+    element(0x28, 0x101, 'US', short(16)), element(0x28, 0x102, 'US', short(15)), element(0x28, 0x103, 'US', short(0)),
+    element(0x7fe0, 0x10, 'OW', Buffer.from(samples.buffer))]);
+}
 // A file that the page saves, as bytes.
 async function saved(label, name) {
   await browser.value(`[...document.querySelectorAll('#downloads button')].find((b) => b.textContent === '${label}').click()`);
@@ -133,11 +155,15 @@ try {
   holds('a file that is no volume is one line', !(await text_of('message')).includes('\n'));
 
   // What is dropped: a header with its data, a folder of slices.
-  const header = join(browser.folder, 'ramp.nhdr'), slices = join(browser.folder, 'slices');
+  const header = join(browser.folder, 'ramp.nhdr'), slices = join(browser.folder, 'slices'),
+    scan = join(browser.folder, 'scan');
   writeFileSync(header, 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 8 8 8\nencoding: raw\ndata file: ramp.raw\n');
   writeFileSync(join(browser.folder, 'ramp.raw'), Buffer.from(Array.from({ length: 512 }, (_, at) => 20 * (at % 8) + 3 * (at >> 3 & 7) + (at >> 6))));
   mkdirSync(slices);
+  mkdirSync(scan);
   for (let k = 0; k < 12; ++k) {
+    const samples = Uint16Array.from({ length: 80 }, (_, at) => 90 * k + at % 10);
+    writeFileSync(join(scan, `image${k}`), dicom(10, 8, k, samples));
     writeFileSync(join(slices, `${String(k).padStart(2, '0')}.tif`), tiff(10, 8, Buffer.from(Array.from({ length: 80 }, (_, at) => 18 * k + at % 10))));
   }
   const dropped = async (files, loaded) => {
@@ -151,6 +177,7 @@ try {
         await dropped([header, join(browser.folder, 'ramp.raw')], '2 files: 8 × 8 × 8 uint8'));
   const three = ['00', '01', '02'].map((name) => join(slices, `${name}.tif`));
   holds('slices without their folder are dropped', await dropped(three, '3 files: 10 × 8 × 3 uint8'));
+  holds('a folder of DICOM is dropped', await dropped([scan], 'scan: 10 × 8 × 12 uint16'));
   holds('a folder of slices is dropped', await dropped([slices], 'slices: 10 × 8 × 12 uint8'));
 
   // A segmentation: one label, then all of them as one mesh.

@@ -311,6 +311,8 @@ async function begin() {
   by_id('stop').addEventListener('click', () => {
     stop();
     say('Stopped.');
+    // The button is gone, and would take the focus with it.
+    by_id(by_id('mesh-section').hidden ? 'choose-files' : 'mesh').focus();
   });
   show('begin', false);
   show('main');
