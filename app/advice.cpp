@@ -25,16 +25,16 @@ bool is_whole(double x) {
 
 void advise_of_mask(const Input& input, Diagnostics& notes) {
   const Volume& volume = input.volume();
-  const double lo = input.range->min, hi = input.range->max;
+  const auto [lo, hi] = *input.range;
   const double isovalue = *input.isovalue, middle = lo + (hi - lo) / 2;
   const bool is_middle = std::abs(isovalue - middle) <= (hi - lo) / 4;
   if (volume.sample_count() < kLeastMask || input.field.is_filtered() || is_middle ||
-      !(lo < isovalue && isovalue <= hi)) {
+      !(lo <= isovalue && isovalue <= hi)) {
     return;
   }
   const bool is_mask = volume.visit([&](const auto* samples) {
     return std::all_of(samples, samples + volume.sample_count(), [&](auto sample) {
-      const auto value = static_cast<double>(sample);
+      const double value = input.field.mirrored(static_cast<double>(sample));
       return value == lo || value == hi;
     });
   });
@@ -47,7 +47,7 @@ void advise_of_mask(const Input& input, Diagnostics& notes) {
 
 void advise_of_ties(MeshRun& run) {
   const std::optional<Volume>& volume = run.input.field.source.in_memory;
-  const double isovalue = *run.input.isovalue;
+  const double isovalue = run.input.level();
   // Of integers the level lies off all samples (geometric_isovalue()).
   const SampleType type = run.input.grid().type();
   const bool is_float = type == SampleType::f32 || type == SampleType::f64;
@@ -65,7 +65,7 @@ void advise_of_ties(MeshRun& run) {
     }
   });
   if (!equal || !std::isfinite(below) || !is_whole(below)) return;
-  const double better = below + (isovalue - below) / 2;
+  const double better = run.input.field.mirrored(below + (isovalue - below) / 2);
   add_warning(run.notes, "isovalue-on-samples", "",
               "samples equal the isovalue, which makes thin triangles: --iso ", better,
               " gives better ones")

@@ -324,6 +324,7 @@ void add_check(ReportWriter& out, std::string_view mesh, bool by_comments, const
   out.add("criteria_of_file", by_comments, "judged by the criteria in the file's comment");
   add_input(out, input);
   out.add("isovalue", input.isovalue.value_or(0), "as given");
+  add_inside(out, input);
   add_verification(out, v, input.grid());
   add_diagnostics(out, input.log.notes);
 }

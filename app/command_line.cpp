@@ -128,6 +128,20 @@ void refuse_if(bool condition, const Words&... words) {
   if (condition) throw InputError(words...);
 }
 
+// Refuses names that are not one for each mesh.
+void check_names(const CommandLine& line, std::string_view several, std::string_view each) {
+  refuse_if(line.command != Command::mesh, several, " is for deliso mesh");
+  for (const auto& [option, name] :
+       {std::pair<const char*, const std::string&>{"-o", line.output}, {"--json", line.json}}) {
+    const std::size_t place = name.find("%d");
+    const bool holds_all = &name == &line.output ? in_one_file(line) : !line.mesh.shared.empty();
+    if (name.empty() || holds_all) continue;
+    refuse_if(place == std::string::npos || name.find('%') != place || name.rfind('%') != place,
+              several, " wants one %d in the name of ", option, ", for the ", each,
+              ": part-%d.ply; or all in one .glb, .3mf or .vtp");
+  }
+}
+
 // Refuses what has no meaning with --label.
 void check_labels(const CommandLine& line) {
   if (!line.mesh.shared.empty()) {
@@ -138,17 +152,9 @@ void check_labels(const CommandLine& line) {
   if (!line.field.of_labels()) return;
   refuse_if(line.isovalue.has_value(),
             "--label and --iso exclude each other: a label has an isovalue of its own");
+  refuse_if(line.field.inside_below, "--inside is for --iso: a label has an inside of its own");
   if (!line.field.all_labels) return;
-  refuse_if(line.command != Command::mesh, "--label all is for deliso mesh");
-  for (const auto& [option, name] :
-       {std::pair<const char*, const std::string&>{"-o", line.output}, {"--json", line.json}}) {
-    const std::size_t place = name.find("%d");
-    const bool holds_all = &name == &line.output ? in_one_file(line) : !line.mesh.shared.empty();
-    if (name.empty() || holds_all) continue;
-    refuse_if(place == std::string::npos || name.find('%') != place || name.rfind('%') != place,
-              "--label all wants one %d in the name of ", option,
-              ", for the label: part-%d.ply; or all in one .glb, .3mf or .vtp");
-  }
+  check_names(line, "--label all", "label");
 }
 
 // The colors of a picture may need a volume, and an isovalue.
@@ -267,6 +273,10 @@ void check_join(CommandLine& line) {
 
 // Checks the conditions between options, after all are read.
 void check_combination(CommandLine& line) {
+  if (!line.isovalues.empty()) {
+    check_names(line, "--iso of several isovalues", "isovalue");
+    refuse_if(line.mesh.part.has_value(), "--part takes one isovalue");
+  }
   if (line.command == Command::check && has_mesh_ending(line.input)) {
     line.meshes.push_back(std::exchange(line.input, {}));
     check_streams(line);
@@ -385,7 +395,7 @@ void take_paper(CommandLine& line, const Given& given) {
 }  // namespace
 
 bool in_one_file(const CommandLine& line) {
-  return line.field.all_labels && !line.output.empty() &&
+  return (line.field.all_labels || !line.isovalues.empty()) && !line.output.empty() &&
          line.output.find('%') == std::string::npos && holds_objects(format_of(line));
 }
 

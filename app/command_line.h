@@ -42,7 +42,8 @@ struct FieldOptions {
   std::vector<std::int64_t> labels;  // the field is the indicator of these
   // Segments of the file, whose labels belong to these (app/input.h).
   std::vector<std::string> segments;
-  bool all_labels = false;  // a mesh for each label of the volume
+  bool all_labels = false;    // a mesh for each label of the volume
+  bool inside_below = false;  // the inside is where samples are smaller
 
   bool of_labels() const { return all_labels || !labels.empty() || !segments.empty(); }
   bool filters_by_gaussian() const { return smooth && smooth->value > 0; }
@@ -103,6 +104,7 @@ struct CommandLine {
   std::string json;    // a path, - or empty
 
   std::optional<double> isovalue;
+  std::vector<double> isovalues;  // several, of mesh alone: a mesh for each
   ReadOptions read;
   FieldOptions field;
   Options options;
@@ -121,7 +123,7 @@ inline bool by_count(const Options& options) {
   return options.has_target();
 }
 
-// True if the meshes of --label all are the objects of one file.
+// True if the meshes of all labels, or of several isovalues, are the objects of one file.
 bool in_one_file(const CommandLine& line);
 
 // Parses `arguments`, which are without the program's name. Throws an InputError of one line on the

@@ -98,7 +98,7 @@ FacetColors color_facets(std::span<const TriMesh> meshes, std::span<const MeshNo
   const bool of_distance = color_by == ColorBy::distance;
   const Values values = of_each(meshes, [&](TriMesh mesh) {
     bring_home(mesh, volume);
-    return of_distance ? distances_in_voxels(mesh, volume, *input->isovalue)
+    return of_distance ? distances_in_voxels(mesh, volume, input->level())
                        : gradient_sizes(mesh, volume);
   });
   return by_value(values,

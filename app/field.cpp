@@ -2,6 +2,8 @@
 #include "app/field.h"
 
 #include <algorithm>
+#include <limits>
+#include <type_traits>
 
 #include "app/solid.h"
 #include "app/text.h"
@@ -41,7 +43,40 @@ LabelFacts facts_of(const Volume& field, const Grid& whole, const FieldOptions& 
   return facts;
 }
 
+Volume mirrored(const Volume& volume) {
+  return volume.visit([&]<class T>(const T* samples) {
+    std::vector<T> others(samples, samples + volume.sample_count());
+    for (T& v : others) {
+      if constexpr (std::is_floating_point_v<T>) {
+        v = -v;
+      } else {
+        v = static_cast<T>(~v);
+      }
+    }
+    return Volume::from_samples(volume, others);
+  });
+}
+
 }  // namespace
+
+double Field::mirrored(double value) const {
+  if (!is_mirrored) return value;
+  return with_type(source.shape.type(), [&]<class T>(T) {
+    return std::is_floating_point_v<T> ? -value
+           : std::is_signed_v<T>       ? -1 - value
+                                       : std::numeric_limits<T>::max() - value;
+  });
+}
+
+ValueRange Field::mirrored(const ValueRange& range) const {
+  const auto [min, max] = std::minmax({mirrored(range.min), mirrored(range.max)});
+  return {min, max};
+}
+
+VolumeSource mirrored(const VolumeSource& source) {
+  if (source.in_memory) return source_of(mirrored(*source.in_memory));
+  return {source.shape, [source](const SampleBox& box) { return mirrored(source.read(box)); }};
+}
 
 Vec3 sigma_of(const Length& smooth, const Grid& volume) {
   Vec3 sigma;
@@ -66,6 +101,7 @@ Field unfiltered_field(const VolumeSource& samples, const FieldOptions& options)
   const Grid& volume = samples.shape;
   Field field{samples};
   field.median = options.median;
+  field.is_mirrored = options.inside_below;
   std::optional<Length> smooth = options.smooth;
   if (options.of_labels() && !smooth) smooth = {1, Length::Unit::voxel};
   if (smooth && smooth->value > 0) {
@@ -90,6 +126,7 @@ Field make_field(const Segmentation& samples, const FieldOptions& options,
     if (field.sigma_voxels > 0) volume = gaussian(volume, field.sigma, threads);
   }
   if (field.is_filtered()) field.source = source_of(volume);
+  if (field.is_mirrored) field.source = mirrored(field.source);
   field.seconds = watch.seconds();
   return field;
 }
@@ -110,6 +147,7 @@ std::string field_note(const FieldOptions& options, const Grid& volume) {
   if (options.median > 0) words += text(" median=", options.median);
   if (options.smooth) words += text(" smooth=", in_voxels(*options.smooth, volume));
   if (!options.labels.empty()) words += " label=" + joined(options.labels, ",");
+  if (options.inside_below) words += " inside=below";
   return words;
 }
 
@@ -117,7 +155,7 @@ std::optional<std::string> noted_field(std::span<const std::string> comments) {
   for (const std::string& comment : comments) {
     if (!comment.starts_with("deliso ")) continue;
     std::string words;
-    for (const std::string_view name : {" median=", " smooth=", " label="}) {
+    for (const std::string_view name : {" median=", " smooth=", " label=", " inside="}) {
       const std::size_t begin = comment.find(name);
       if (begin == std::string::npos) continue;
       words += comment.substr(begin, comment.find(' ', begin + 1) - begin);

@@ -34,7 +34,12 @@ struct Field {
   double sigma_voxels = 0;  // in a voxel's shortest sides
   std::optional<LabelFacts> label{};
   double seconds = 0;  // for the filters
+  // With --inside below: its samples, and isovalues, are mirrored, so that inside is above.
+  bool is_mirrored = false;
 
+  // Returns the field's value for a sample or isovalue of the user, and the other way round.
+  double mirrored(double value) const;
+  ValueRange mirrored(const ValueRange& range) const;
   bool is_filtered() const { return label || median > 0 || sigma_voxels > 0; }
 };
 
@@ -46,6 +51,10 @@ Field unfiltered_field(const VolumeSource& samples, const FieldOptions& options)
 // volume's labels; only of --label.
 Field make_field(const Segmentation& samples, const FieldOptions& options,
                  std::span<const LabelSamples> found, std::string_view name, int threads);
+
+// Returns a source whose order of samples is turned round, without loss: of numbers with a sign
+// -v, of whole numbers their complement.
+VolumeSource mirrored(const VolumeSource& source);
 
 // Returns the fields of all labels, each by itself.
 LabelFields label_fields(const Segmentation& samples, const FieldOptions& options,

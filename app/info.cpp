@@ -102,7 +102,8 @@ Input read_to_inform(const CommandLine& line) {
 }
 
 Info find_info(const Input& input, const CommandLine& line, Progress& progress) {
-  const Volume& volume = input.volume();
+  const Volume field = input.volume();
+  const Volume volume = input.field.is_mirrored ? all_of(mirrored(input.field.source)) : field;
   progress.show("histogram", 0);
   const bool of_ids = !input.log.ids.empty() && !input.field.label;
   const ValueRange range = of_ids ? value_range(volume) : *input.range;
@@ -126,8 +127,9 @@ Info find_info(const Input& input, const CommandLine& line, Progress& progress) 
   if (input.isovalue) {
     progress.show("contour", 0);
     const Stopwatch watch;
-    info.effective = geometric_isovalue(volume.type(), *input.isovalue);
-    info.contour = summarize_contour(volume, info.effective);
+    const double level = geometric_isovalue(field.type(), input.level());
+    info.effective = input.field.mirrored(level);
+    info.contour = summarize_contour(field, level);
     info.seconds_contour = watch.seconds();
   }
   return info;
@@ -180,7 +182,8 @@ void add_info(ReportWriter& out, const Info& info) {
   out.open("surface", "with --iso: the exact surface");
   out.add("isovalue", info.isovalue.value_or(0), "as given");
   out.add("isovalue_effective", info.effective,
-          "as used: a hair lower where samples or saddles equal it");
+          "as used: a hair further out where samples or saddles equal it");
+  add_inside(out, info.input);
   add_topology(out, "topology", info.contour.topology(), "of the surface");
   out.add("active_voxels", info.contour.active_voxels, "voxels that it meets");
   add_components(out, info.contour);

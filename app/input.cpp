@@ -135,8 +135,8 @@ Input input_of(const Source& source, const CommandLine& line) {
   const int threads = line.options.threads;
   Field field =
       make_field({source.volume, source.log.ids}, line.field, source.labels, line.input, threads);
-  const ValueRange range =
-      field.is_filtered() ? value_range(all_of(field.source), line.input) : source.range;
+  ValueRange range = source.range;
+  if (field.is_filtered()) range = field.mirrored(value_range(all_of(field.source), line.input));
   Input input{line.input, std::move(field), range, source.log, source.seconds, line.isovalue};
   if (input.field.label) input.isovalue = 0;
   return input;
@@ -253,6 +253,12 @@ void add_input(ReportWriter& out, const Input& input) {
   }
   add_field(out, input.field);
   out.close();
+}
+
+void add_inside(ReportWriter& out, const Input& input) {
+  const std::array<std::string, 2> sides{"above", "below"};
+  out.add_choice("inside", input.field.is_mirrored ? 1 : 0, sides,
+                 "which side of the isovalue is inside");
 }
 
 }  // namespace deliso

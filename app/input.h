@@ -16,11 +16,15 @@ namespace deliso {
 struct Input {
   std::string name;  // as the user gave it
   Field field;
-  std::optional<ValueRange> range;  // of the field; not known of a join, which does not read it
+  // Of the field, but not mirrored; not known of a join, which does not read it.
+  std::optional<ValueRange> range;
   ReadLog log;
   double seconds = 0;                // for reading, and for one pass over the samples
   std::optional<double> isovalue{};  // the user's, or the label's
 
+  // Of the field as it is meshed.
+  double level() const { return field.mirrored(*isovalue); }
+  ValueRange range_of_field() const { return field.mirrored(*range); }
   const Grid& grid() const { return field.source.shape; }
   // Returns the field with its samples, which are read if they are not in memory.
   Volume volume() const { return all_of(field.source); }
@@ -67,5 +71,7 @@ std::string_view name_of(AnatomicalSpace space);
 // Give aligned lines, and an object "volume".
 std::string input_text(const Input& input);
 void add_input(ReportWriter& out, const Input& input);
+// Adds "inside", beside the isovalue.
+void add_inside(ReportWriter& out, const Input& input);
 
 }  // namespace deliso

@@ -83,7 +83,7 @@ struct MeshRun {
   }
   // True if the inside has a part of the volume's border, or all of it: then no loop tells.
   bool reaches_border() const {
-    return found.topology.boundary_loops > 0 || input.volume().sample(0, 0, 0) >= *input.isovalue;
+    return found.topology.boundary_loops > 0 || input.volume().sample(0, 0, 0) >= input.level();
   }
   // Returns the volume inside mesh and caps, in world units. pre: has_volume().
   double volume() const { return world_volume(found.solid.volume, input.grid().frame()); }
@@ -124,6 +124,8 @@ void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress);
 // Returns how the mesh of the run is written, with the comments of its file.
 MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh);
 
+// Returns the name with a label or an isovalue in place of %d.
+std::string name_with(std::string name, std::string_view what);
 // Returns the command line of each label's mesh, of --label all. Throws InputError if some output
 // cannot be written, or there is no label.
 std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& source);

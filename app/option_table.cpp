@@ -89,10 +89,18 @@ constexpr OptionSpec option_of(const CriterionWords& words) {
 }
 
 constexpr OptionSpec kInputAndOutput[] = {
-    {"--iso", 'k', "K", kVolume,
+    {"--iso", 'k', "K[,K...]", kVolume,
      "isovalue: the surface is where the volume's interpolant is K; the inside is where it is "
-     "larger",
-     [](Line& l, Text o, Text v) { l.isovalue = parse_number(o, v); }},
+     "larger; several, of mesh alone: a mesh for each, with %d in FILE's name, or in one .glb, "
+     ".3mf or .vtp",
+     [](Line& l, Text o, Text v) {
+       for (const std::string_view one : split(v, ',')) l.isovalues.push_back(parse_number(o, one));
+       l.isovalue = l.isovalues.front();
+       if (l.isovalues.size() == 1) l.isovalues.clear();
+     }},
+    {"--inside", 0, "above|below", kReports,
+     "which side of --iso is inside (default above): below, of a signed distance, air, or a lumen",
+     [](Line& l, Text o, Text v) { l.field.inside_below = choose<bool>(o, v); }},
     {"--output", 'o', "FILE", kOutput,
      "mesh to write: .ply .off .obj .stl .vtp .glb .3mf .smesh .poly, or - for standard output",
      [](Line& l, Text, Text v) { l.output = v; },

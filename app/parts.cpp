@@ -42,6 +42,11 @@ Roi region_of_part(const CommandLine& line, const Grid& shape) {
   return {box.begin, {box.end.i + 1, box.end.j + 1, box.end.k + 1}};
 }
 
+FieldSource field_at(Field field, double isovalue) {
+  const double level = field.mirrored(isovalue);
+  return {std::move(field), level};
+}
+
 }  // namespace
 
 ReadOptions reading_of_part(const CommandLine& line) {
@@ -76,7 +81,8 @@ FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
       value_range(samples, name);
       return samples;
     };
-    return {std::move(field), *line.isovalue};
+    if (field.is_mirrored) field.source = mirrored(field.source);
+    return field_at(std::move(field), *line.isovalue);
   }
   const Grid& shape = raw.shape;
   const Index3 reach = reach_of(line.field, shape);
@@ -87,7 +93,7 @@ FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
                     value_range(around, name);
                     return samples_of(all_of(make_field(around, options, {}, name, 1).source), box);
                   }};
-  return {std::move(field), *line.isovalue};
+  return field_at(std::move(field), *line.isovalue);
 }
 
 PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::string& name,
@@ -158,7 +164,8 @@ Input input_of_join(const CommandLine& line, FieldSource field, ReadLog log, dou
   VolumeSource& source = field.field.source;
   const bool needs_samples = line.mesh.check || line.mesh.attributes || line.options.cap;
   if (needs_samples && !source.in_memory) source = source_of(all_of(source));
-  return {line.input, std::move(field.field), {}, std::move(log), seconds, field.isovalue};
+  const double isovalue = line.isovalue.value_or(field.isovalue);
+  return {line.input, std::move(field.field), {}, std::move(log), seconds, isovalue};
 }
 
 TriMesh join_parts_of(std::vector<PartFile> parts, MeshRun& run, Progress& progress) {
@@ -168,7 +175,7 @@ TriMesh join_parts_of(std::vector<PartFile> parts, MeshRun& run, Progress& progr
   blocks.reserve(parts.size());
   for (PartFile& part : parts) blocks.push_back(std::move(part.block));
   return of_unchanged(run.input.log.files, [&] {
-    TriMesh mesh = mesh_of_parts(run.input.field.source, *run.input.isovalue, options,
+    TriMesh mesh = mesh_of_parts(run.input.field.source, run.input.level(), options,
                                  std::move(blocks), run.report);
     require_surface(run, mesh);
     examine_mesh(run, mesh, progress);

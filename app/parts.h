@@ -26,7 +26,7 @@ namespace deliso {
 // components, or if there is a region of interest. pre: `line` lives until the volume is read.
 ReadOptions reading_of_part(const CommandLine& line);
 
-// The field that is meshed, of which the samples may be read box by box; and its isovalue.
+// The field that is meshed, of which the samples may be read box by box; and the isovalue in it.
 struct FieldSource {
   Field field;
   double isovalue = 0;

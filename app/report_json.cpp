@@ -223,8 +223,9 @@ void add_run(ReportWriter& out, const MeshRun& run) {
   const Report& report = run.report;
   add_input(out, run.input);
   out.add("isovalue", run.input.isovalue.value_or(0), "as given");
-  out.add("isovalue_effective", report.kappa_effective,
-          "as used: a hair lower where samples or saddles equal it");
+  out.add("isovalue_effective", run.input.field.mirrored(report.kappa_effective),
+          "as used: a hair further out where samples or saddles equal it");
+  add_inside(out, run.input);
   out.add("r_min", report.r_min, "the option resolved; scaled frame");
   add_options(out, run.line);
   if (out.if_any(run.line.paper)) add_published(out, run.line, run.published);
@@ -275,6 +276,8 @@ void add_label(ReportWriter& out, const SharedLabel& l) {
                "of its mesh; of label 0 with --cap, with the caps that only this count has");
   add_topology(out, "exact_topology", l.exact, "of its region in T_L (docs/guide/noise.md)");
   out.add("topology_exact", l.mesh == l.exact, "the two are equal");
+  out.add("euler_of_samples", l.euler_of_samples,
+          "of the surface around its samples, neighbors by faces, edges and corners");
   out.add("fault", l.fault, "the first rule of a mesh that its mesh breaks; empty: none");
   out.add_seconds("seconds", l.seconds, "for its field");
 }

@@ -179,8 +179,10 @@ std::string report_text(const MeshRun& run) {
   const Report& report = run.report;
   const Options& options = run.line.options;
   const bool verbose = run.line.mesh.verbose;
-  std::string lines = text(input_text(run.input), "isovalue  ",
-                           isovalue_text(*run.input.isovalue, report.kappa_effective), "\n");
+  std::string lines =
+      text(input_text(run.input), "isovalue  ",
+           isovalue_text(*run.input.isovalue, run.input.field.mirrored(report.kappa_effective)),
+           run.input.field.is_mirrored ? ", inside below it\n" : "\n");
   if (verbose) append_stages(lines, run);
 
   lines += text("mesh      ", counted(run.found.vertices, "vertex", "vertices"), ", ",

@@ -22,7 +22,7 @@ Verification verify_in_world(TriMesh mesh, const MeshNotes& notes, const Command
   VerifyOptions options = verify_options(line, volume, noted_criteria(notes.comments));
   options.progress = std::move(progress);
   options.tolerance = bring_home(mesh, volume, notes.rounding, line.verify.tolerance.in(volume));
-  return verify(mesh, volume, geometric_isovalue(volume.type(), *input.isovalue), options);
+  return verify(mesh, volume, geometric_isovalue(volume.type(), input.level()), options);
 }
 
 CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const CommandLine& line,

@@ -27,7 +27,8 @@ Vec3 middle_of(const Info& info) {
 }
 
 void write_slices(const Info& info, const CommandLine& line) {
-  const Volume& volume = info.input.volume();
+  const Field& field = info.input.field;
+  const Volume volume = all_of(field.is_mirrored ? mirrored(field.source) : field.source);
   const RenderOptions& picture = line.picture.render;
   SliceOptions options{.size = picture.size,
                        .through = picture.aim.look_at

@@ -25,14 +25,13 @@ namespace {
 
 constexpr std::size_t kMostLabels = 1000;  // more are hardly a segmentation
 
-// Returns the name with the label in place of %d.
-std::string name_with(std::string name, std::int64_t label) {
+}  // namespace
+
+std::string name_with(std::string name, std::string_view what) {
   const std::size_t place = name.find("%d");
-  if (place != std::string::npos) name.replace(place, 2, text(label));
+  if (place != std::string::npos) name.replace(place, 2, what);
   return name;
 }
-
-}  // namespace
 
 std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& source) {
   std::vector<CommandLine> lines;
@@ -43,8 +42,8 @@ std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& 
     CommandLine one = line;
     one.field.all_labels = false;
     one.field.labels = {found.label};
-    one.output = name_with(line.output, found.label);
-    one.json = shared ? "" : name_with(line.json, found.label);
+    one.output = name_with(line.output, text(found.label));
+    one.json = shared ? "" : name_with(line.json, text(found.label));
     one.mesh.allow_empty = true;  // a label may fill the volume
     for (const NamedSegment& segment : source.log.segments) {
       if (segment.label != found.label) continue;

@@ -47,19 +47,20 @@ constexpr double kManyVertices = 1e7, kMaxVertices = 2.5e8;
 // Throws InputError if no sample can be on one of the two sides. Caps alone are the mesh of labels
 // that fill the volume.
 void require_isovalue_in_range(const MeshRun& run) {
-  const double isovalue = *run.input.isovalue;
-  const ValueRange& range = *run.input.range;
-  if (range.min < isovalue && isovalue <= range.max) return;
-  const std::optional<LabelFacts>& label = run.input.field.label;
-  const bool is_full = label && isovalue <= range.min;
+  const Input& input = run.input;
+  const ValueRange range = input.range_of_field();
+  const double level = input.level();
+  if (range.min < level && level <= range.max) return;
+  const std::optional<LabelFacts>& label = input.field.label;
+  const bool is_full = label && level <= range.min;
   if (is_full && run.line.options.cap) return;
   if (is_full) {
     throw InputError(
         "no surface around label ", joined(label->labels, ", "),
         ", which fills the volume: --cap makes the block (--allow-empty accepts that)");
   }
-  throw InputError(no_surface_text(isovalue, range), ", everything is ",
-                   isovalue <= range.min ? "inside" : "outside", " (--allow-empty accepts that)");
+  throw InputError(no_surface_text(*input.isovalue, *input.range), ", everything is ",
+                   level <= range.min ? "inside" : "outside", " (--allow-empty accepts that)");
 }
 
 // Returns the facets from `begin` to `end`, with the same vertices.
@@ -201,7 +202,7 @@ AsWritten as_written(const TriMesh& mesh, const MeshRun& run, Diagnostics& notes
 TriMesh make_mesh(MeshRun& run, Progress& progress) {
   const CommandLine& line = run.line;
   const Volume& volume = run.input.volume();
-  const double isovalue = *run.input.isovalue;
+  const double isovalue = run.input.level();
   if (!line.mesh.allow_empty) require_isovalue_in_range(run);
   if (run.input.field.label && run.input.range->max < isovalue) {
     const LabelFacts& label = *run.input.field.label;
@@ -324,20 +325,57 @@ void print_report(const MeshRun& run) {
   print_report(report_text(run), line.output == "-" || line.json == "-");
 }
 
+// Returns the command line of each isovalue's mesh. Throws InputError if some output cannot be
+// written, or is one of `files`, which are read.
+std::vector<CommandLine> lines_of_isovalues(const CommandLine& line,
+                                            std::span<const std::string> files) {
+  std::vector<CommandLine> lines;
+  for (const double isovalue : line.isovalues) {
+    CommandLine one = line;
+    one.isovalue = isovalue;
+    one.output = name_with(line.output, text(isovalue));
+    one.json = name_with(line.json, text(isovalue));
+    one.mesh.write.name = text("isovalue ", isovalue);
+    require_outputs(std::array{one.output, one.json}, files);
+    lines.push_back(std::move(one));
+  }
+  if (lines.empty()) lines.push_back(line);
+  return lines;
+}
+
 int run_mesh(const CommandLine& line) {
   if (line.field.all_labels) return run_labels(line);
   if (line.mesh.part) return run_part(line);
-  const Stopwatch total;
+  Stopwatch total;
   ProgressBar progress(mesh_stages(line), !line.quiet);
   progress.show("reading", 0);
   const Source source = read_source(line);
   progress.tell(source.log.notes);  // before the field is made, which may take long
-  const Input input = input_of(source, line);
-  MeshRun run(line, input);
-  const TriMesh mesh = mesh_input(run, progress);
-  write_files(total, progress, run, mesh);
-  print_report(run);
-  return run.sound() ? kExitSuccess : kFaultFound;
+  Input input = input_of(source, line);
+  bool all_sound = true;
+  std::vector<MeshObject> objects;
+  std::vector<std::int64_t> numbers;
+  const std::vector<CommandLine> lines = lines_of_isovalues(line, source.log.paths());
+  for (const double isovalue : line.isovalues) {
+    input.isovalue = isovalue;
+    if (!line.mesh.allow_empty) require_isovalue_in_range(MeshRun(line, input));
+  }
+  for (const CommandLine& one : lines) {
+    if (!numbers.empty()) {
+      total = {};
+      progress.restart(mesh_stages(one));
+      if (!line.quiet) print("\n");
+    }
+    numbers.push_back(static_cast<std::int64_t>(numbers.size() + 1));
+    if (one.isovalue) input.isovalue = one.isovalue;
+    MeshRun run(one, input);
+    const TriMesh mesh = mesh_input(run, progress);
+    write_files(total, progress, run, mesh, in_one_file(line) ? &objects : nullptr);
+    print_report(run);
+    all_sound &= run.sound();
+  }
+  if (!objects.empty()) write_labels(std::move(objects), numbers, line.output);
+  return all_sound ? kExitSuccess : kFaultFound;
 }
 
 }  // namespace deliso

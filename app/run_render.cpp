@@ -126,7 +126,7 @@ std::string draw(std::span<const TriMesh> meshes, std::span<const MeshNotes> not
   std::function<std::optional<double>(const Vec3&)> section;
   if (picture.section) {
     const Volume& volume = input->volume();
-    section = gray_inside(volume, geometric_isovalue(volume.type(), *input->isovalue),
+    section = gray_inside(volume, geometric_isovalue(volume.type(), input->level()),
                           gray_window(volume, *input->range));
   }
   std::vector<Subject> subjects;

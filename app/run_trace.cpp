@@ -29,12 +29,12 @@ TriMesh traced_mesh(const CommandLine& line, const Input& input, Progress& progr
     PublishedProgress shown(progress);
     PaperRecorder recorder(trace, &shown);
     paper::Report published;
-    return mesh_as_published(volume, *input.isovalue, line, recorder, published, report);
+    return mesh_as_published(volume, input.level(), line, recorder, published, report);
   }
   TraceRecorder recorder(trace, &progress);
   Options options = line.options;
   options.observer = &recorder;
-  return mesh_isosurface(volume, *input.isovalue, options, report);
+  return mesh_isosurface(volume, input.level(), options, report);
 }
 
 }  // namespace

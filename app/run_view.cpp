@@ -102,8 +102,7 @@ int run_view(const CommandLine& line) {
     add_mesh(data, mesh, middle, n);
     if (input) {
       bring_home(mesh, input->grid());
-      data.add(text("h", n),
-               as_floats(distances_in_voxels(mesh, input->volume(), *input->isovalue)));
+      data.add(text("h", n), as_floats(distances_in_voxels(mesh, input->volume(), input->level())));
     }
   }
   header.close();

@@ -82,12 +82,15 @@ Partition make_partition(SharedRun& run, Progress& progress) {
   return partition;
 }
 
-// Warns of each label without a sample where its field is the largest.
-void find_vanished(SharedRun& run, const Partition& partition) {
+// Counts samples and their Euler numbers. Warns of each label without a sample where its field is
+// the largest.
+void look_at_samples(SharedRun& run, const Partition& partition) {
   const std::vector<std::uint64_t> kept = partition.samples();
+  const std::vector<std::int64_t> euler = partition.euler_numbers();
   for (BodyId body = 0; body < run.labels.size(); ++body) {
     SharedLabel& l = run.labels[body];
     l.kept = kept[body];
+    l.euler_of_samples = euler[body];
     if (l.kept == 0) warn_of_vanished(text(l.label.label), l.label.samples, run.notes);
   }
 }
@@ -163,7 +166,7 @@ void mesh_labels(SharedRun& run, Progress& progress) {
   const CommandLine& line = run.line;
   require_limits(line.options, run.input.grid());
   const Partition partition = make_partition(run, progress);
-  find_vanished(run, partition);
+  look_at_samples(run, partition);
   progress.tell(run.notes);
   Options options = line.options;
   options.observer = &progress;
@@ -320,6 +323,10 @@ std::string report_text(const SharedRun& run) {
            fixed(sharp_percent(run.quality), 2), " % below 15\n");
   for (const SharedLabel& l : run.labels) {
     if (!l.fault.empty()) lines += text("fault     label ", l.label.label, ": ", l.fault, "\n");
+    const bool differs = l.exact.boundary_loops == 0 && l.exact.euler != l.euler_of_samples;
+    if (!differs || l.label.label == 0) continue;
+    lines += text("samples   label ", l.label.label, ": Euler number ", l.exact.euler, ", not ",
+                  l.euler_of_samples, " as of the surface around its samples\n");
   }
   const CountedMesh asked = counted_mesh(run);
   if (count_stop(asked) != CountStop::none) lines += text("count     ", count_text(asked), "\n");

@@ -26,8 +26,9 @@
 namespace deliso {
 
 struct SharedLabel : LabelRow {
-  std::uint64_t kept = 0;  // samples at which its field is the largest; 0: it vanished
-  std::string fault;       // the first rule of mesh/tri_mesh.h that its mesh breaks, or empty
+  std::uint64_t kept = 0;             // samples at which its field is the largest; 0: it vanished
+  std::int64_t euler_of_samples = 0;  // of the surface around them
+  std::string fault;  // the first rule of mesh/tri_mesh.h that its mesh breaks, or empty
   std::array<std::uint8_t, 3> color{};  // of its segment, or one for its number
 };
 

@@ -37,7 +37,8 @@ std::string isovalue_text(double isovalue, double effective) {
   // Half-way between integers no sample of an integer type lies.
   const bool by_saddles = isovalue - std::floor(isovalue) == 0.5;
   if (effective == isovalue || by_saddles) return text(isovalue);
-  return text(isovalue, ", lowered to ", effective, " as samples may equal it");
+  return text(isovalue, effective < isovalue ? ", lowered to " : ", raised to ", effective,
+              " as samples may equal it");
 }
 
 std::string counted(std::uint64_t n, std::string_view one, std::string_view many) {

@@ -282,6 +282,11 @@ SampleBox LabelFields::grown(const SampleBox& box) const {
   return deliso::grown(box, reach_ + Index3{1, 1, 1}, parts_.part_at.voxels());
 }
 
+// Returns a box of the volume's samples in the larger box of the parts.
+SampleBox LabelFields::in_larger(const SampleBox& box) const {
+  return {box.begin + parts_.margin, box.end + parts_.margin};
+}
+
 // Returns the samples of the volume that the field of a label reaches.
 SampleBox LabelFields::box_of_label(std::size_t label) const {
   return deliso::grown(labels_[label].box, reach_ + Index3{1, 1, 1}, grid_.voxels());
@@ -400,7 +405,7 @@ const LabelSamples& LabelFields::weighed(std::int64_t label) {
 // Raises values in a box of the volume to w_L s_L of a label.
 void LabelFields::raise_to(std::size_t label, const SampleBox& box_of_values,
                            std::vector<float>& values) const {
-  const SampleBox to{box_of_values.begin + parts_.margin, box_of_values.end + parts_.margin};
+  const SampleBox to = in_larger(box_of_values);
   for (const std::size_t part : parts_of(label)) {
     const SampleBox from = common(grown(to), box(parts_.parts[part]));
     if (is_empty(common(from, to))) continue;
@@ -427,20 +432,20 @@ Volume LabelFields::field(std::int64_t label) {
     weigh_parts(m);
     raise_to(m, within, m == l ? own : others);
   }
-  std::size_t at = 0;
-  const Index3 first = within.begin + parts_.margin, n = within.dims();
-  for (int k = 0; k < n.k; ++k) {
-    for (int j = 0; j < n.j; ++j) {
-      for (int i = 0; i < n.i; ++i, ++at) {
-        // A median may leave a sample to no label: it is outside.
-        const float ahead = own[at] - others[at];
-        const double here = parts_.label_at.sample(first.i + i, first.j + j, first.k + k);
-        own[at] = filter_.median > 0               ? ahead
-                  : here == static_cast<double>(l) ? std::max(ahead, kAhead * others[at])
-                                                   : std::min(ahead, -kAhead * own[at]);
-      }
-    }
-  }
+  parts_.label_at.visit([&](const auto* number) {
+    for_each_row({{}, parts_.label_at.voxels()}, in_larger(within), threads_,
+                 [&](std::size_t from, std::size_t to, std::size_t n) {
+                   for (std::size_t i = 0; i < n; ++i) {
+                     // A median may leave a sample to no label: it is outside.
+                     float& value = own[to + i];
+                     const float other = others[to + i], ahead = value - other;
+                     value = filter_.median > 0 ? ahead
+                             : static_cast<std::size_t>(number[from + i]) == l
+                                 ? std::max(ahead, kAhead * other)
+                                 : std::min(ahead, -kAhead * value);
+                   }
+                 });
+  });
   return Volume::from_samples(block, own);
 }
 
@@ -457,15 +462,12 @@ Volume LabelFields::weighted(std::int64_t label) {
 std::vector<std::uint32_t> LabelFields::kept() const {
   std::vector<std::uint32_t> label;
   if (filter_.median > 0) return label;
-  const Index3 n = grid_.dims(), margin = parts_.margin;
-  label.reserve(grid_.sample_count());
+  label.resize(grid_.sample_count());
   parts_.label_at.visit([&](const auto* number) {
-    for (int k = 0; k < n.k; ++k) {
-      for (int j = 0; j < n.j; ++j) {
-        const auto* row = number + parts_.label_at.index(margin.i, j + margin.j, k + margin.k);
-        for (int i = 0; i < n.i; ++i) label.push_back(static_cast<std::uint32_t>(row[i]));
-      }
-    }
+    for_each_row({{}, parts_.label_at.voxels()}, in_larger({{}, grid_.voxels()}), threads_,
+                 [&](std::size_t from, std::size_t to, std::size_t n) {
+                   std::copy_n(number + from, n, &label[to]);
+                 });
   });
   return label;
 }

@@ -73,6 +73,7 @@ class LabelFields {
   std::size_t number_of(std::int64_t label) const;
   std::vector<std::size_t> parts_of(std::size_t label) const;
   SampleBox box(const LabelSamples& of) const;
+  SampleBox in_larger(const SampleBox& box) const;
   SampleBox box_of_label(std::size_t label) const;
   Volume smoothed(const Volume& numbers, std::size_t number, const SampleBox& box,
                   int threads) const;

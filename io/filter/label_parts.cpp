@@ -42,8 +42,15 @@ std::int64_t label_of(T sample, std::span<const std::int64_t> ids) {
 
 using Numbers = std::vector<std::uint32_t>;
 
-Volume volume_of(const std::shared_ptr<const Numbers>& numbers, const Grid& grid) {
-  return {grid, reinterpret_cast<const std::byte*>(numbers->data()), numbers};
+// In as few bytes as suffice for `count` numbers.
+Volume volume_of(const Numbers& numbers, std::size_t count, const Grid& grid) {
+  const auto as = [&]<class T>(T) {
+    return Volume::from_samples(grid.of_type(sample_type_of<T>()),
+                                std::vector<T>(numbers.begin(), numbers.end()));
+  };
+  return count <= 0x100     ? as(std::uint8_t())
+         : count <= 0x10000 ? as(std::uint16_t())
+                            : as(std::uint32_t());
 }
 
 // Returns per sample the place of its label, in the larger box.
@@ -121,18 +128,18 @@ LabelParts find_parts(const Segmentation& samples, std::span<const LabelSamples>
                       std::span<const std::int64_t> united, Index3 margin, bool may_split,
                       std::string_view name, int threads) {
   const Grid grid = with_margin(samples.volume, margin);
-  const auto label = std::make_shared<const Numbers>(
-      places_of_labels(samples, labels, united, grid, margin, threads));
+  const Numbers label = places_of_labels(samples, labels, united, grid, margin, threads);
   std::vector<std::size_t> label_of(labels.size());
   for (std::size_t n = 0; n < labels.size(); ++n) label_of[n] = n;
-  const Volume label_at = volume_of(label, grid);
+  const Volume label_at = volume_of(label, labels.size(), grid);
   std::vector<LabelSamples> all = find_labels(label_at, name, threads);
   if (!may_split) return {label_at, label_at, margin, all, all, std::move(label_of)};
 
-  const auto number = std::make_shared<Numbers>(bodies_of(*label, grid).take_numbers());
-  const std::vector<LabelSamples> bodies = find_labels(volume_of(number, grid), name, threads);
+  const auto number = std::make_shared<Numbers>(bodies_of(label, grid).take_numbers());
+  const Volume body_at(grid, reinterpret_cast<const std::byte*>(number->data()), number);
+  const std::vector<LabelSamples> bodies = find_labels(body_at, name, threads);
   Numbers label_of_body(bodies.size()), part_of_body;
-  for (std::size_t at = 0; at < number->size(); ++at) label_of_body[(*number)[at]] = (*label)[at];
+  for (std::size_t at = 0; at < number->size(); ++at) label_of_body[(*number)[at]] = label[at];
   std::vector<std::uint64_t> largest(labels.size());
   for (std::size_t n = 0; n < bodies.size(); ++n) {
     std::uint64_t& most = largest[label_of_body[n]];
@@ -148,7 +155,7 @@ LabelParts find_parts(const Segmentation& samples, std::span<const LabelSamples>
     if (!is_main) label_of.push_back(own);
   }
   for (std::uint32_t& n : *number) n = part_of_body[n];  // from now on of parts
-  const Volume part_at = volume_of(number, grid);
+  const Volume part_at = volume_of(*number, label_of.size(), grid);
   return {label_at,           part_at, margin, std::move(all), find_labels(part_at, name, threads),
           std::move(label_of)};
 }

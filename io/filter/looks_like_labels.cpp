@@ -16,7 +16,6 @@ namespace deliso {
 namespace {
 
 constexpr std::size_t kMostValues = 4096, kFewValues = 16;  // L1, L3
-constexpr double kFlatNeighbors = 0.5, kFlatValues = 0.5;   // L2
 constexpr double kMostSteps = 0.75, kLeastJumps = 0.05;     // L3
 constexpr std::size_t kSamplesSeen = std::size_t{1} << 22;
 
@@ -62,12 +61,15 @@ class Tally {
 
   bool looks_like_labels() const {
     if (values_.size() < 2) return false;
-    const auto flat = std::ranges::count_if(values_, [](const auto& value) {
-      const auto& [all, equal] = value.second;
-      return static_cast<double>(equal) >= kFlatNeighbors * static_cast<double>(all);
-    });
-    if (static_cast<double>(flat) < kFlatValues * static_cast<double>(values_.size())) return false;
-    if (values_.size() <= kFewValues) return true;
+    const auto is_flat = [](const Neighbors& of) { return 2 * of.equal >= of.all; };
+    std::size_t flat = 0;
+    Neighbors sum;
+    for (const auto& [value, of] : values_) {
+      flat += is_flat(of);
+      sum = {sum.all + of.all, sum.equal + of.equal};
+    }
+    if (values_.size() <= kFewValues) return 2 * flat >= values_.size() || is_flat(sum);
+    if (2 * flat < values_.size()) return false;
     const auto differing = static_cast<double>(differing_);
     const auto far = by_.begin() + static_cast<std::ptrdiff_t>(values_.size() / 4 + 1);
     const auto jumps = std::accumulate(far, by_.end(), std::uint64_t{0});

@@ -2,6 +2,7 @@
 #include "more/bodies/partition.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -23,15 +24,29 @@ bool is_in(const Volume& block, Index3 sample) {
   return true;
 }
 
+// The share of the Euler number of closed cubes that one of their corners has, in eighths: 8 for
+// itself, 4 for an edge, 2 for a face, 1 for a cube. Bit m: cube m around the corner is there.
+std::int64_t share_of_corner(unsigned cubes) {
+  constexpr std::array<unsigned, 3> kLow{0x55, 0x33, 0x0f};  // the cubes below it along each axis
+  int eighths = 8 - std::popcount(cubes);
+  for (int axis = 0; axis < 3; ++axis) {
+    eighths -= (cubes & kLow[axis]) != 0 ? 4 : 0;
+    eighths -= (cubes & ~kLow[axis]) != 0 ? 4 : 0;
+    eighths += 2 * std::popcount((cubes | cubes >> (1 << axis)) & kLow[axis]);
+  }
+  return eighths;
+}
+
 }  // namespace
 
 Partition::Partition(const Grid& shape, std::vector<Volume> fields, BodyId background, int threads,
-                     std::span<const BodyId> kept)
-    : shape_(shape),
-      fields_(std::move(fields)),
-      background_(background),
-      body_(shape.sample_count(), 0) {
-  if (!kept.empty()) keep(kept, threads);
+                     std::vector<BodyId> kept)
+    : shape_(shape), fields_(std::move(fields)), background_(background), body_(std::move(kept)) {
+  if (!body_.empty()) {
+    raise_fields(threads);
+    return;
+  }
+  body_.resize(shape.sample_count());
   const Index3 n = shape.dims();
   for_each_task(threads, static_cast<std::size_t>(n.k), [&](std::size_t slice) {
     std::vector<float> most(static_cast<std::size_t>(n.i) * static_cast<std::size_t>(n.j), 0);
@@ -67,8 +82,8 @@ void Partition::for_each_value(int k, Visit&& visit) const {
   }
 }
 
-// Raises fields.
-void Partition::keep(std::span<const BodyId> kept, int threads) {
+// Raises the field of each sample's body there.
+void Partition::raise_fields(int threads) {
   struct Raised {
     std::size_t sample;
     float value;
@@ -80,7 +95,7 @@ void Partition::keep(std::span<const BodyId> kept, int threads) {
     std::vector<float> own(samples, 0), others(samples, 0);
     for_each_value(static_cast<int>(slice),
                    [&](BodyId body, std::size_t at, std::size_t in_slice, float value) {
-                     float& most = body == kept[at] ? own[in_slice] : others[in_slice];
+                     float& most = body == body_[at] ? own[in_slice] : others[in_slice];
                      most = std::max(most, value);
                    });
     for (std::size_t at = 0; at < samples; ++at) {
@@ -91,7 +106,7 @@ void Partition::keep(std::span<const BodyId> kept, int threads) {
   });
   std::vector<std::vector<Raised>> of_body(size());
   for (const std::vector<Raised>& raised : of_slice) {
-    for (const Raised& r : raised) of_body[kept[r.sample]].push_back(r);
+    for (const Raised& r : raised) of_body[body_[r.sample]].push_back(r);
   }
   for_each_task(threads, size(), [&](std::size_t body) {
     if (of_body[body].empty()) return;
@@ -132,6 +147,32 @@ std::vector<std::uint64_t> Partition::samples() const {
   std::vector<std::uint64_t> count(size());
   for (const BodyId body : body_) ++count[body];
   return count;
+}
+
+std::vector<std::int64_t> Partition::euler_numbers() const {
+  std::vector<std::int64_t> eighths(size());
+  const Index3 n = shape_.dims();
+  for (int k = 0; k <= n.k; ++k) {
+    for (int j = 0; j <= n.j; ++j) {
+      for (int i = 0; i <= n.i; ++i) {
+        std::array<BodyId, 8> around;
+        for (int m = 0; m < 8; ++m) {
+          const Index3 at{i - (~m & 1), j - (~m >> 1 & 1), k - (~m >> 2 & 1)};
+          const bool is_there =
+              std::min({at.i, at.j, at.k}) >= 0 && at.i < n.i && at.j < n.j && at.k < n.k;
+          around[m] = is_there ? body_at(at) : kNoId;
+        }
+        for (int m = 0; m < 8; ++m) {
+          unsigned cubes = 0;
+          for (int o = 0; o < 8; ++o) cubes |= unsigned{around[o] == around[m]} << o;
+          const bool is_first = std::countr_zero(cubes) == m;
+          if (around[m] != kNoId && is_first) eighths[around[m]] += share_of_corner(cubes);
+        }
+      }
+    }
+  }
+  for (std::int64_t& euler : eighths) euler /= 4;  // of the surface: twice that of the cubes
+  return eighths;
 }
 
 Volume Partition::difference(std::array<BodyId, 2> bodies, const SampleBox& box) const {

@@ -28,7 +28,7 @@ class Partition {
   // is in front of all others; kNoId: none. `kept`: the body of each sample, in whose field's block
   // it is; empty: the fields say it.
   Partition(const Grid& shape, std::vector<Volume> fields, BodyId background, int threads,
-            std::span<const BodyId> kept = {});
+            std::vector<BodyId> kept = {});
 
   std::size_t size() const { return fields_.size(); }  // bodies
   const Grid& shape() const { return shape_; }
@@ -46,6 +46,9 @@ class Partition {
   Vec3 gradient(BodyId body, const Vec3& p) const;
   // Returns how many samples belong to each body.
   std::vector<std::uint64_t> samples() const;
+  // Returns the Euler number of the surface around the samples of each body, each a closed cube: so
+  // they are neighbors by faces, edges and corners.
+  std::vector<std::int64_t> euler_numbers() const;
 
   // Returns the field of `behind` less that of `in_front` at the samples of a box, as a block of
   // the whole: their border is where it is 0. Of a body beyond the box, the distance from its face,
@@ -61,7 +64,7 @@ class Partition {
  private:
   template <class Visit>
   void for_each_value(int k, Visit&& visit) const;
-  void keep(std::span<const BodyId> kept, int threads);
+  void raise_fields(int threads);
 
   Grid shape_;
   std::vector<Volume> fields_;

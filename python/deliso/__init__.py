@@ -422,7 +422,7 @@ class Mesh:
 
     vertices   float64, (n, 3): x, y, z in the unit of the spacing
     triangles  uint32, (m, 3): counterclockwise seen from the smaller samples
-    normals    float64, (n, 3): unit vectors towards the smaller samples, from the volume's gradient
+    normals    float64, (n, 3): unit vectors outwards, along the volume's gradient
     report     what the program writes with --json, as a dict
     sound      False if the mesh breaks a rule or a check that was asked for (exit status 1)
 

@@ -525,7 +525,7 @@ TEST_CASE("each command line that is refused has its message") {
       {"a --isovalue 1", "unknown option '--isovalue'; did you mean --iso?"},
       {"a --isolevel=1", "unknown option '--isolevel'; did you mean --iso?"},
       {"a --ios 1", "unknown option '--ios'; did you mean --iso?"},
-      {"a --treshold 1", "unknown option '--treshold'; did you mean --iso K (isovalue)?"},
+      {"a --treshold 1", "unknown option '--treshold'; did you mean --iso K[,K...] (isovalue)?"},
       {"a --decimate 9",
        "unknown option '--decimate'; did you mean --vertices N (the best mesh of N vertices that "
        "keeps the topology)?"},
@@ -539,9 +539,9 @@ TEST_CASE("each command line that is refused has its message") {
       {"a --zzzzzzzzzzzz", "unknown option '--zzzzzzzzzzzz'; --help lists them"},
       {"a -z", "unknown option '-z'; --help lists them"},
       {"a --iso 1 --turns 2", "unknown option '--turns'; --help lists them"},
-      {"a --iso", "--iso needs a value: K"},
-      {"a --iso=", "--iso needs a value: K"},
-      {"a --iso ''", "--iso needs a value: K"},
+      {"a --iso", "--iso needs a value: K[,K...]"},
+      {"a --iso=", "--iso needs a value: K[,K...]"},
+      {"a --iso ''", "--iso needs a value: K[,K...]"},
       {"a --quiet=yes", "--quiet takes no value"},
       {"a --iso 0.5 --iso 0.6", "--iso is given twice"},
       {"a --lambda 0.9", "--lambda must be at least 1, or refinement would not end"},
@@ -676,7 +676,7 @@ TEST_CASE("each command line that is refused has its message") {
 
 // What an option wants, and words that it never takes.
 TEST_CASE("a value of the wrong kind is refused, in one line that names the option and quotes it") {
-  const std::string numbers = "'' e 1e 12abc nan inf -inf 1e999 ~1 1~ 0x10 1,5 -- +-1 1~2",
+  const std::string numbers = "'' e 1e 12abc nan inf -inf 1e999 ~1 1~ 0x10 1;5 -- +-1 1~2",
                     not_below_0 = numbers + " -1",
                     lengths = not_below_0 + " 0 0vox -1vox vox 1voxel 1~vox infvox";
   const struct {

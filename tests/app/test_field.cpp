@@ -8,15 +8,19 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "app/criteria_note.h"
 #include "app/input.h"
+#include "app/mesh_run.h"
 #include "app/parsed_line.h"
+#include "app/progress.h"
 #include "app/run.h"
 #include "base/check.h"
 #include "base/random.h"
+#include "base/text.h"
 #include "base/triangle.h"
 #include "check/check_mesh.h"
 #include "check/quality.h"
@@ -282,4 +286,78 @@ TEST_CASE("with --nan a volume has the mesh of the volume with these values, als
   CHECK(file_bytes(ply) == wanted);
   CHECK(read_input(line_of_mesh(gaps + " --nan=-3")).log.notes.back().words ==
         "1,152 samples are NaN, and taken as -3");
+}
+
+TEST_CASE("inside below is inside above of the mirrored samples") {
+  const TemporaryFolder folder;
+  struct Type {
+    const char* name;
+    double mirror, least;  // of samples: mirror - v
+  };
+  std::size_t facets = 0;
+  for (int run = 0; run < 60; ++run) {
+    CAPTURE(run);
+    Random random(static_cast<std::uint64_t>(run));
+    const Type type =
+        std::array<Type, 3>{{{"uint8", 255, 100}, {"int16", -1, -3}, {"float32", 0, -3}}}[run % 3];
+    const Index3 dims{3 + run % 5, 3 + run % 3, 4};
+    std::vector<double> values;  // few, so that many samples equal the isovalue
+    for_each_index(dims, [&](int, int, int) { values.push_back(type.least + random.below(7)); });
+    const double isovalue = type.least + 1 + 0.5 * random.below(8);
+    const bool is_float = run % 3 == 2;
+    const std::string options = std::array{"", " --cap", " --median 1", " --largest 1",
+                                           " --smooth 0.6vox --cap"}[random.below(4 + is_float)];
+    const auto mesh_of = [&](bool is_mirrored) {
+      std::string bytes;
+      for (const double value : values) {
+        const double v = is_mirrored ? type.mirror - value : value;
+        const auto put = [&](auto sample) {
+          bytes.append(reinterpret_cast<const char*>(&sample), sizeof sample);
+        };
+        if (is_float) {
+          put(static_cast<float>(v));
+        } else if (run % 3 == 1) {
+          put(static_cast<std::int16_t>(v));
+        } else {
+          put(static_cast<std::uint8_t>(v));
+        }
+      }
+      const std::string name = folder.write("volume.raw", bytes);
+      const CommandLine line = parsed(text(
+          name, " --dims ", dims.i, "x", dims.j, "x", dims.k, " --type ", type.name, " -q",
+          " --allow-empty", options, " --iso ", is_mirrored ? type.mirror - isovalue : isovalue,
+          is_mirrored ? "" : " --inside below"));
+      const Input input = read_input(line);
+      MeshRun made(line, input);
+      ProgressBar none(mesh_stages(line), false);
+      return mesh_input(made, none);
+    };
+    const TriMesh below = mesh_of(false), above = mesh_of(true);
+    facets += below.faces.size();
+    CHECK(below.points == above.points);
+    CHECK(below.triangles() == above.triangles());
+  }
+  CHECK(facets > 1000);
+}
+
+TEST_CASE("several isovalues: each mesh is that of its own run, or none is written") {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& isovalues, const std::string& file) {
+    run_mesh(parsed("builtin:machine:16 -q --cap --iso " + isovalues + " -o " + (folder / file)));
+  };
+  run("60,127.5", "of-%d.ply");
+  run("60,127.5", "all.glb");
+  std::size_t facets = 0;
+  for (const std::string isovalue : {"60", "127.5"}) {
+    run(isovalue, "alone.ply");
+    CHECK(file_bytes(folder / "alone.ply") == file_bytes(folder / ("of-" + isovalue + ".ply")));
+    facets += read_mesh(folder / "alone.ply").faces.size();
+  }
+  MeshNotes notes;
+  CHECK(read_mesh(folder / "all.glb", &notes).faces.size() == facets);
+  CHECK(std::set(notes.colors.begin(), notes.colors.end()).size() == 2);
+  CHECK_THROWS_AS(run("60,300", "late-%d.ply"), InputError);
+  CHECK_FALSE(std::filesystem::exists(folder / "late-60.ply"));
+  CHECK_THROWS_AS(run("60,80", "one.ply"), InputError);
+  CHECK_THROWS_AS(parsed("info builtin:machine --iso 60,80"), InputError);
 }

@@ -155,6 +155,16 @@ class TestMesh(TestCase):
         self.assertGreater(numpy.median(along), 0.95)
         self.assertTrue(numpy.allclose(numpy.linalg.norm(m.normals, axis=1), 1))
 
+    def test_inside_below(self):
+        z, y, x = numpy.mgrid[-1:1:14j, -1:1:14j, -1:1:14j]
+        for side, sign in ("below", 1), ("above", -1):
+            m = deliso.mesh(x**2 + y**2 + z**2, 0.6, inside=side)
+            corners = (m.vertices[m.triangles[:, k]] - 6.5 for k in range(3))
+            self.assertGreater(sign * numpy.linalg.det(numpy.stack(list(corners), 1)).sum(), 0)
+            outwards = ((m.vertices - 6.5) * m.normals).sum(1)
+            self.assertTrue((sign * outwards > 0).all())
+            self.assertEqual(m.report["inside"], side)
+
     def test_report_and_check(self):
         m = deliso.mesh(field(), 10.25, check=True)
         self.assertTrue(m.sound)

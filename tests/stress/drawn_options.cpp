@@ -81,10 +81,10 @@ constexpr DrawnOption kDrawn[] = {
      [](Random& r, const OptionVolume& v) {
        return v.labels > 0 ? Words{text("--label=", 1 + r.below(v.labels))} : Words{};
      },
-     kOtherField | kUsual},
+     kOtherField | kUsual | kOfLabels},
     {"--shared",  // its name is that of the volume's file
      [](Random&, const OptionVolume& v) { return v.labels > 0 ? Words{"--shared"} : Words{}; },
-     kOtherField | kUsual | kNoParts | kNotPaper | kShared},
+     kOtherField | kUsual | kNoParts | kNotPaper | kShared | kOfLabels},
     {"--smooth", [](Random& r, auto&) { return Words{"--smooth=" + number(r, 0.3, 2) + "vox"}; },
      kOtherField},
     {"--median", [](Random& r, auto&) { return Words{text("--median=", 1 + r.below(2))}; },
@@ -151,6 +151,8 @@ constexpr DrawnOption kDrawn[] = {
      another_mesh},
     {"--coordinates",  // their file lies beside the volume's
      [](Random& r, auto&) { return r.below(2) > 0 ? Words{"--coordinates"} : Words{}; }, kBeside},
+    {"--inside", [](Random&, auto&) { return Words{"--inside=below"}; },
+     kBeside | kOtherField | kNotLabels},
 };
 
 // Options about files, formats and reports; --iso is always given.
@@ -185,7 +187,7 @@ Draw draw_options(std::uint64_t seed, const OptionVolume& volume, const DrawnOpt
         return ((option.exempt | other->exempt) & both) == both;
       };
       return are(kPaper | kNotPaper) || are(kCertified | kNotCertified) ||
-             are(kShared | kNotShared);
+             are(kShared | kNotShared) || are(kOfLabels | kNotLabels);
     };
     if (std::ranges::any_of(drawn, excludes)) return;
     const Words words = option.draw(random, volume);

@@ -60,6 +60,8 @@ enum Exemption : unsigned {
   kNotShared = 4096,  // --shared excludes it
   kBeside = 8192,     // changes no mesh: drawn beside the others, for every second volume
   kReport = 16384,    // of the reports: the join of parts has it, not the parts
+  kOfLabels = 32768,
+  kNotLabels = 65536,  // labels exclude it
 };
 
 struct DrawnOption {

@@ -140,6 +140,12 @@ TEST_CASE("labels numbered in order of place are labels, on a background") {
   }
 }
 
+TEST_CASE("a few samples of labels in a background are labels") {
+  CHECK(looks_like_labels(sampled<std::uint8_t>({13, 11, 11}, {1, 1, 1}, [](int i, int j, int k) {
+    return i % 6 == 3 && j % 6 == 3 && k % 6 == 3 ? 1 + i / 6 : 0;
+  })));
+}
+
 TEST_CASE("gray images do not, of 8 bits neither") {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     CAPTURE(seed);

@@ -11,9 +11,11 @@
 #include <set>
 #include <vector>
 
+#include "base/random.h"
 #include "check/check_mesh.h"
 #include "check/place_faults.h"
 #include "check/quality.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -67,6 +69,28 @@ Options options_with(int threads, bool cap) {
 }
 
 }  // namespace
+
+TEST_CASE("Euler numbers around samples are those of closed cubes, counted one by one") {
+  Random random(5);
+  for (int run = 0; run < 40; ++run) {
+    const Index3 dims{2 + run % 4, 3, 2 + run % 3};
+    const auto body = [&](const Vec3&) { return random.below(3) == 0 ? 2.0 : 0.0; };
+    const Volume rest = field(dims, [](const Vec3&) { return 1; }), own = field(dims, body);
+    const Partition partition(rest, {rest, own}, 0, 1);
+    // A cell is named by twice its middle: a cube's coordinates are all odd, a corner's all even.
+    std::array<std::set<std::array<int, 3>>, 2> cells;
+    for_each_index(dims, [&](int i, int j, int k) {
+      for_each_index({3, 3, 3}, [&](int x, int y, int z) {
+        cells[partition.body_at({i, j, k})].insert({2 * i + x, 2 * j + y, 2 * k + z});
+      });
+    });
+    for (const BodyId b : {0, 1}) {
+      std::int64_t euler = 0;
+      for (const auto& [x, y, z] : cells[b]) euler += (x + y + z) % 2 == 0 ? 2 : -2;
+      CHECK(partition.euler_numbers()[b] == euler);
+    }
+  }
+}
 
 TEST_CASE("bodies that touch are closed manifolds with common facets, and no facets cross") {
   const Partition partition = balls();
