@@ -3,7 +3,7 @@
 # Builds the program for WebAssembly: FOLDER/deliso.wasm, a command of WASI (preview 1). Every folder of
 # sources is compiled as one file, as in the native build. Needs Debian's packages clang-16 lld-16
 # libc++-16-dev-wasm32 libc++abi-16-dev-wasm32 libclang-rt-16-dev-wasm32 wasi-libc.
-# Usage: build.sh FOLDER [JOBS]
+# Usage: [WASM_CXX=clang++-16] [WASM_LAUNCHER=ccache] build.sh FOLDER [JOBS]
 set -eu
 cd "$(dirname "$0")/.."
 mkdir -p "$1/units" "$1/objects" "$1/generated/base" "$1/generated/view/page"
