@@ -10,7 +10,7 @@
 # AGAINST (another deliso program, or runs that were kept, .tsv), TURNS, QUALITY (further options); for
 # `make gauntlet`: PYTHON (one with NumPy), GAUNTLET (options, e.g. "--count 100 --only PyMCubes"); for
 # `make site`: SITE (folder), REPOSITORY (its address, which the page's links lead to), DELISO (a program that is
-# built already).
+# built already); for `make web` and `make npm`: WEB (folder of the build).
 BUILD ?= build
 JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
 PREFIX ?= /usr/local
@@ -19,6 +19,7 @@ ISO   ?=
 TURNS ?= 5
 PYTHON ?= python3
 SITE  ?= $(BUILD)/site
+WEB   ?= build-web
 COURSE ?= course
 EXERCISE ?=
 DATA  ?= $(or $(DELISO_DATA),datasets)
@@ -110,6 +111,13 @@ ifndef DELISO
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app
 endif
 	@sh figures/lesson/site.sh '$(SITE)' '$(or $(DELISO),$(BUILD)/deliso)' '$(REPOSITORY)'
+
+# The program as WebAssembly, and its page for a browser, into WEB; the package for npm beside them.
+.PHONY: web npm
+web:
+	@sh web/build.sh '$(WEB)' $(JOBS)
+npm: web
+	@sh web/pack.sh '$(WEB)'
 
 # The micro-benchmarks, one primitive each; they need no data.
 bench:
@@ -243,4 +251,4 @@ doctest:
 	fi
 
 clean:
-	rm -rf $(BUILD) $(COVERAGE_BUILD) $(SANITIZE_BUILD) $(FUZZ_BUILD) $(BUILD)-tidy $(BUILD)-room
+	rm -rf $(BUILD) $(COVERAGE_BUILD) $(SANITIZE_BUILD) $(FUZZ_BUILD) $(BUILD)-tidy $(BUILD)-room $(WEB)

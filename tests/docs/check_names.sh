@@ -10,7 +10,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 {
-  find .ci bench cmake course docs examples figures src more deliso check io view app c python tests -type f
+  find .ci bench cmake course docs examples figures src more deliso check io view app c python web tests -type f
   find . -maxdepth 1 -type f | sed 's|^\./||'
 } >"$work/files"
 sources=$(grep -E '^(\.ci/run|Makefile|CMakeLists\.txt)$|\.(h|cpp|py|sh|awk|cmake)$|/CMakeLists\.txt$' "$work/files")

@@ -5,9 +5,9 @@ set -eu
 budget=$(realpath "${2:-$1/tests/layers/budget.txt}")
 cd "$1"
 
-# Prints the lines of code of the folders, in C++ and Python.
+# Prints the lines of code of the folders, in C++ and Python. Standard headers have no ending.
 lines() {
-  find "$@" -name '*.h' -o -name '*.cpp' -o -name '*.py' | sort | xargs awk '
+  find "$@" -name '*.h' -o -name '*.cpp' -o -name '*.py' -o -path 'web/include/*' -type f | sort | xargs awk '
     { sub(/^[ \t]+/, "") }
     FILENAME ~ /\.py$/ && /^#/ { next }
     /^\/\*/ { comment = 1 }
