@@ -131,11 +131,11 @@ try {
   await browser.choose_files('#files', [path]);
   await browser.until(`document.querySelector('#loaded').textContent.includes('balls') && ${is_idle}`);
   await browser.value("Object.assign(document.querySelector('#isovalue'), { value: '0.7' }).dispatchEvent(new Event('input'))");
-  await browser.value("document.querySelector('#cap').click()");
-  holds('the command is shown', await text_of('command') === 'deliso balls.nrrd --iso 0.7 --cap -o mesh.ply');
+  for (const id of ['below', 'cap']) await browser.value(`document.querySelector('#${id}').click()`);
+  holds('the command is shown', await text_of('command') === 'deliso balls.nrrd --iso 0.7 --inside below --cap -o mesh.ply');
   await browser.value("document.querySelector('#mesh').click()");
   await browser.until(`!document.querySelector('#result').hidden && ${is_idle}`);
-  execFileSync(native, [path, '--iso', '0.7', '--cap', '-q', '-o', join(browser.folder, 'native.ply')]);
+  execFileSync(native, [path, '--iso', '0.7', '--inside', 'below', '--cap', '-q', '-o', join(browser.folder, 'native.ply')]);
   holds('a mesh from a file has the bytes of the native program',
         readFileSync(join(browser.folder, 'native.ply')).equals(await saved('PLY', 'balls.ply')));
 

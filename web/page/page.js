@@ -175,7 +175,8 @@ function further_options() {
 function mesh_arguments() {
   const distance = by_id('distance').value, further = further_options();
   const has_size = further.some((word) => /^--(max-distance|vertices|triangles)$/.test(word));
-  return [volume.input, ...(label_in(further) === null ? ['--iso', by_id('isovalue').value] : []),
+  const side = by_id('below').checked ? ['--inside', 'below'] : [];
+  return [volume.input, ...(label_in(further) === null ? ['--iso', by_id('isovalue').value, ...side] : []),
     ...(distance === '0.1' || distance === '' || has_size ? [] : ['--max-distance', `${distance}vox`]),
     ...smoothing(), ...(by_id('cap').checked ? ['--cap'] : []), ...further];
 }
@@ -304,7 +305,7 @@ async function begin() {
     set_isovalue(by_id('isovalue').value);
     if (by_id('isovalue').value !== '') look_soon();
   });
-  for (const id of ['distance', 'smooth', 'cap', 'options']) by_id(id).addEventListener('input', show_command);
+  for (const id of ['distance', 'smooth', 'below', 'cap', 'options']) by_id(id).addEventListener('input', show_command);
   by_id('smooth').addEventListener('change', look_soon);
   by_id('help').addEventListener('toggle', show_help);
   by_id('mesh').addEventListener('click', make_mesh);
