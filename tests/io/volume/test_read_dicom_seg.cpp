@@ -157,6 +157,9 @@ TEST_CASE("a segmentation of one slice, or of slices at no even steps, is refuse
   truth.step = {};
   CHECK(read_message(folder.write("v.dcm", truth.file({}))) ==
         "v.dcm: is a segmentation of one slice");
+  truth.step = {-2.4, 1.8, 0.4};
+  CHECK(read_message(folder.write("v.dcm", truth.file({}))) ==
+        "v.dcm: frame 1 lies aside of the lowest one");
   RandomSegments bits(6, "BINARY", false);
   std::string cut = bits.file({});
   CHECK(read_message(folder.write("v.dcm", cut.substr(0, cut.size() - 8))).starts_with("v.dcm: "));
