@@ -22,8 +22,8 @@ namespace deliso {
 namespace {
 
 // Slices lie at multiples of a step, and over each other, up to these shares of it.
-constexpr double kOffStep = 0.01, kMostAside = 0.1;
-constexpr double kMostSlices = 1e9;
+constexpr double kOffStep = 0.01, kMostShift = 0.1;
+constexpr double kMostSteps = 1e9;
 
 using Frames = std::vector<std::size_t>;
 
@@ -40,7 +40,7 @@ double step_of(const std::vector<double>& heights, std::optional<double> of_file
   for (const double step : {std::abs(of_file.value_or(gap)), gap}) {
     const auto is_at_step = [&](double height) {
       const double steps = (height - heights[0]) / step;
-      return steps < kMostSlices && std::abs(steps - std::round(steps)) <= kOffStep;
+      return steps < kMostSteps && std::abs(steps - std::round(steps)) <= kOffStep;
     };
     if (step > 0 && std::ranges::all_of(heights, is_at_step)) return step;
   }
@@ -85,7 +85,7 @@ Segmented place_frames(const VolumeInput& input, const DicomFile& file) {
   made.at.resize(static_cast<std::size_t>(grid.dims[2]));
   for (std::size_t n = 0; n < count; ++n) {
     const double height = height_of[n] - heights[0];
-    if (distance(*file.plane(n).position, lowest + height * normal) > kMostAside * step) {
+    if (distance(*file.plane(n).position, lowest + height * normal) > kMostShift * step) {
       fail(file.name(), "frame ", n + 1, " lies aside of the lowest one");
     }
     made.at[static_cast<std::size_t>(std::llround(height / step))].push_back(n);
