@@ -25,7 +25,7 @@ bool is_whole(double x) {
 
 void advise_of_mask(const Input& input, Diagnostics& notes) {
   const Volume& volume = input.volume();
-  const auto [lo, hi] = *input.range;
+  const double lo = input.range->min, hi = input.range->max;
   const double isovalue = *input.isovalue, middle = lo + (hi - lo) / 2;
   const bool is_middle = std::abs(isovalue - middle) <= (hi - lo) / 4;
   if (volume.sample_count() < kLeastMask || input.field.is_filtered() || is_middle ||

@@ -66,9 +66,9 @@ Segmented place_frames(const VolumeInput& input, const DicomFile& file) {
   heights = height_of;
   std::ranges::sort(heights);
   const double same = kOffStep * first.thickness.value_or((*first.spacing)[0]);
-  const auto repeats =
-      std::ranges::unique(heights, [&](double low, double high) { return high - low <= same; });
-  heights.erase(repeats.begin(), repeats.end());
+  heights.erase(std::unique(heights.begin(), heights.end(),
+                            [&](double low, double high) { return high - low <= same; }),
+                heights.end());
   if (heights.size() == 1) fail(file.name(), "is a segmentation of one slice");
   const double step = step_of(heights, first.distance);
   if (!(step > 0)) fail(file.name(), "is a segmentation whose slices are at no even steps");
