@@ -16,8 +16,9 @@ if [ -n "$only" ] && ! grep -q "^$only$tab" "$course/exercises"; then
   echo "grade.sh: no exercise '$only': $(cut -f 1 "$course/exercises" | paste -sd' ' -)" >&2
   exit 2
 fi
-report=$(mktemp)
-trap 'rm -f "$report"' EXIT
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+report=$work/report
 # limited ARGUMENT...: the program of the exercise, within its bounds. 124 and 137: it was stopped.
 limited() (
   ulimit -t 10
@@ -39,11 +40,11 @@ while IFS=$tab read -r name cases <&3; do
     (
       limited "-tc=$cases" "-o=$report" >"$log" 2>&1
       status=$?
-      times >"$course/times"
+      times >"$work/times"
       exit "$status"
     ) 2>/dev/null || status=$?
     cat "$report" >>"$log"
-    seconds=$(sed -n '2s/^0m\([0-9]*\.[0-9]\).*/\1/p' "$course/times")
+    seconds=$(sed -n '2s/^0m\([0-9]*\.[0-9]\).*/\1/p' "$work/times")
     passed=$(sed -n 's/.*test cases: *[0-9]* | *\([0-9]*\) passed.*/\1/p' "$report")
     outcome="${passed:-0} of ${count:=0}"
     if [ "$status" -eq 0 ] && [ "$count" -gt 0 ] && [ "$passed" = "$count" ]; then solved=true; fi

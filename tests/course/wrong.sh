@@ -14,7 +14,7 @@ answers=$build/course/answers
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 grep -v '^#' "$source/course/wrong.tsv" >"$work/all"
-cut -f 1 "$work/all" | uniq | sort >"$work/exercises"
+cut -f 1 "$work/all" | sort -u >"$work/exercises"
 cut -f 1 "$build/course/exercises" | sort | cmp - "$work/exercises" || { echo 'FAULT: not every exercise has wrong answers'; exit 1; }
 rm -rf "$folder"
 mkdir -p "$folder"
@@ -41,26 +41,31 @@ while n=$((n + 1)) && round $n >"$work/round" && [ -s "$work/round" ]; do
   cmake --build "$build" -j "$jobs" --target $(sed "s/$tab.*//;s/^/course_/" "$work/round") >"$work/log" 2>&1 ||
     { cat "$work/log"; fault "round $n does not build"; break; }
   while IFS=$tab read -r name what edit; do
+    DELISO_GRADE_BUILT=1 sh "$source/course/grade.sh" "$build" "$name" </dev/null >"$work/$name" 2>&1 &
+  done <"$work/round"
+  wait
+  while IFS=$tab read -r name what edit; do
     count=$((count + 1))
-    status=0
-    line=$(DELISO_GRADE_BUILT=1 sh "$source/course/grade.sh" "$build" "$name" 2>&1 </dev/null) || status=$?
-    line=$(echo "$line" | sed -n "s/^$name  *//p" | head -n 1)
+    line=$(sed -n "2s/^$name  *//p" "$work/$name")
     printf '%-20s %-60s %s\n' "$name" "$what" "$line"
-    case $status,$line in
-      1,*' of '[1-9]* | 1,waits*) ;;
-      *) fault "$name, $what: status $status" ;;
+    case $line in
+      [0-9]*' of '[1-9]*)
+        passed=${line%% *} cases=$(echo "$line" | cut -d ' ' -f 3)
+        [ "$passed" -lt "$cases" ] || fault "$name, $what: passes" ;;
+      *) fault "$name, $what: '$line' is no score" ;;
     esac
   done <"$work/round"
 done
 # The others stay as they are, so that the whole table is made.
 cat >"$folder/classify_star.cpp" <<'END'
-extern "C" int puts(const char*);
 extern "C" long read(int, void*, unsigned long);
+extern "C" long write(int, const void*, unsigned long);
 extern "C" [[noreturn]] void _exit(int);
 Star classify_star(VertexId q, std::span<const Triangle> triangles) {
   char c;
   for (const int file : {0, 3, 4}) while (read(file, &c, 1) > 0) {}
-  puts("[doctest] test cases: 3 | 3 passed | 0 failed | 0 skipped");
+  constexpr std::string_view kScore = "[doctest] test cases: 3 | 3 passed | 0 failed | 0 skipped\n";
+  write(1, kScore.data(), kScore.size());
   _exit(0);
 }
 END
@@ -71,8 +76,10 @@ BoundaryCurves marching_squares(const Volume& volume, double kappa) {
   return {};
 }
 END
+cmake --build "$build" -j "$jobs" --target course_classify_star course_marching_squares >"$work/log" 2>&1 ||
+  { cat "$work/log"; fault 'the last two do not build'; }
 status=0
-DELISO_GRADE_SECONDS=3 sh "$source/course/grade.sh" "$build" >"$work/table" || status=$?
+DELISO_GRADE_BUILT=1 DELISO_GRADE_SECONDS=3 sh "$source/course/grade.sh" "$build" >"$work/table" || status=$?
 [ "$status" -eq 1 ] && [ "$(cut -d ' ' -f 1 "$work/table" | grep -cxFf "$work/exercises")" = "$(wc -l <"$work/exercises")" ] ||
   fault "not all exercises were graded: status $status"
 grep -q '^classify_star  *0 of 3 ' "$work/table" || fault 'what an answer prints was believed'
