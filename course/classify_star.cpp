@@ -9,8 +9,12 @@
 //   half_disk  the link is one path;
 //   singular   all else: two pieces, a branch, an edge twice, a triangle that names a vertex twice.
 //
-// `link_edge`, `is_degenerate` and `link_of` (mesh/star.h) are there to be called. `link_of` must
-// not be given a triangle that names a vertex twice.
+// These are there to be called (mesh/star.cpp, above the place of your function, and mesh/star.h):
+//   LinkEdge link_edge(VertexId q, const Triangle& t);      // the side of t opposite q, {a, b}
+//   bool is_degenerate(VertexId q, const LinkEdge& e);      // t names a vertex twice
+//   VertexLink link_of(VertexId q, std::span<const Triangle> triangles);
+// A `VertexLink` has the numbers of the link's pieces (`fans`), vertices, and vertices of one edge
+// alone (`loose_ends`). `link_of` must not be given a triangle that names a vertex twice.
 //
 // Hint: a connected graph with as many vertices as edges has one cycle. When is it nothing else?
 Star classify_star(VertexId q, std::span<const Triangle> triangles) {

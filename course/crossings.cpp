@@ -5,6 +5,7 @@
 // coefficients:
 //   p(t) = b0 (1-t)^3 + 3 b1 (1-t)^2 t + 3 b2 (1-t) t^2 + b3 t^3.
 // Return where it passes from p >= 0 to p < 0 or back, for t in [0, 1], increasing (roots/cubic.h).
+// Where there is one, `from_inside` tells the side on which the line begins: p(0) >= 0.
 // All of the program rests on the parity: the number is odd exactly when b0 and b3 are on different
 // sides, whatever is rounded. A touch is none or two. Where you say that there is a crossing, |p|
 // must be at most 2e-11 of the largest coefficient.

@@ -160,8 +160,8 @@ if ! is_analogue ATOM; then
   panel_of ATOM atom-exact.ply
   figure 01-atom-exact ATOM '--view 300,25' --size 600x440 --edges on <<'END'
 
-All triangles are within a tenth of a voxel of the surface, so the steps show all over the lobes, and large triangles
-serve on the ring.
+Triangles are within a tenth of a voxel of the surface at their circumcenters, and nearly everywhere else. So
+the steps show all over the lobes, and large triangles serve on the ring.
 END
 fi
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Makes the folder OUT that a static host serves: the page with its drawings, and what the program shows of a
-# torus in space, two traces and a view. What the page links of the guide is shown by the code host at
+# Makes the folder OUT that a static host serves: the page with its drawings, and what the program shows of two
+# linked tori in space, two traces and a view. Of these every stop of a trace's tour is there. What the page links of the guide is shown by the code host at
 # REPOSITORY (https://host/owner/name); without one the pages lie in OUT, as text.
 # Usage: site.sh OUT DELISO [REPOSITORY]
 set -eu
@@ -11,10 +11,10 @@ out=$1
 deliso=$2
 repository=${3:-}
 mkdir -p "$out"
-"$deliso" trace builtin:torus:16 --paper -o "$out/torus-paper.html" >/dev/null
-"$deliso" trace builtin:torus:16 -o "$out/torus.html" >/dev/null
-"$deliso" builtin:torus:16 -q -o "$out/torus.ply"
-"$deliso" view "$out/torus.ply" -o "$out/torus-mesh.html" >/dev/null
+"$deliso" trace builtin:linked_tori:16 --paper -o "$out/tori-paper.html" >/dev/null
+"$deliso" trace builtin:linked_tori:16 -o "$out/tori.html" >/dev/null
+"$deliso" builtin:linked_tori:16 -q -o "$out/tori.ply"
+"$deliso" view "$out/tori.ply" -o "$out/tori-mesh.html" >/dev/null
 if [ -n "$repository" ]; then
   root=$repository/blob/main/ pages=$repository/blob/main/docs/
 else

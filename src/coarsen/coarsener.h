@@ -8,8 +8,8 @@
 // goes lies within the bound of the facet over it, and Sigma passes within the bound of each new
 // facet's circumcenter. So the mesh stays a manifold of the same topology.
 //
-// It may come to cross itself, since no change asks: that costs more than all the rest. Who calls
-// asks once, in the end (coarsen/embedding.h).
+// It may come to cross itself, since no change asks. Who calls asks once, in the end
+// (coarsen/embedding.h), which is cheaper (docs/decisions.md).
 //
 // It uses no random numbers. A change depends on the order of ids and on what is near it.
 #pragma once

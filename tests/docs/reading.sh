@@ -3,6 +3,7 @@
 # What docs/guide/reading.md lists is there, and each of its lists is short enough to be read: a list
 # says "At most N lines". A row of its tables links a file of src/, more/, deliso/ or check/, and names functions or classes of
 # it (reading.awk). The list of the paper has every function of src/paper of more than three lines.
+# README.md says how many lines all lists have.
 # Of each list it is counted which functions of its rooms a listed one calls that no list has.
 # Usage: reading.sh SOURCE
 set -eu
@@ -65,6 +66,7 @@ in_tree() {
   case $1 in deliso | deliso/* | more/* | check | check/*) echo "$1" ;; *) echo "src/$1" ;; esac
 }
 
+all=0
 cut -f 1 "$work/list" | uniq >"$work/lists"
 cut -f 4 "$work/list" | sed 's/^class //' | sort -u >"$work/listed"
 while read -r list; do
@@ -80,6 +82,7 @@ while read -r list; do
     awk -v name="$name" -v show=1 -f tests/docs/reading.awk "$at" >>"$work/text"
     total=$((total + count))
   done <"$work/rows"
+  all=$((all + total))
   [ "$most" -gt 0 ] || fault "$page: $list does not say how many lines it has at most"
   [ "$total" -le "$most" ] || fault "$page: $list has $total lines, over $most"
   # The names that are called, and which of them are functions of the same rooms that no list has.
@@ -96,5 +99,8 @@ while read -r list; do
   sed 's/^/    /' "$work/calls"
   case $list in *paper*) [ ! -s "$work/calls" ] || fault "$page: the list of the paper has not all of src/paper" ;; esac
 done <"$work/lists"
-echo "$faults faults"
+# The README says how many they are, to the next hundred.
+told=$(grep -oE 'code in [0-9,]+ lines' README.md | tr -cd 0-9)
+[ "$all" -le "$told" ] && [ "$all" -gt $((told - 100)) ] || fault "README.md says $told lines, and the lists have $all"
+echo "$all lines, $faults faults"
 [ "$(wc -l <"$work/list")" -ge 60 ] && [ "$faults" -eq 0 ]

@@ -158,3 +158,13 @@ TEST_CASE("a saddle exactly at the isovalue counts as inside, as in the contour"
     CHECK(count_loops(curves) == build_contour(volume, 0).summary.boundary_loops());
   }
 }
+
+TEST_CASE("a sample at the isovalue is inside") {
+  for (const double others : {1.0, -1.0}) {
+    CAPTURE(others);
+    const Volume volume = sampled<double>(
+        {3, 3, 3}, {1, 1, 1}, [&](int i, int j, int k) { return i + j + k == 0 ? 0 : others; });
+    // Three squares meet at the corner; each cuts it off where it alone is inside.
+    CHECK(marching_squares(volume, 0).edges.size() == (others < 0 ? 3 : 0));
+  }
+}

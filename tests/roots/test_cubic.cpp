@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Both cubic solvers against a bisection oracle in long double: crossings are increasing in [0, 1],
-// |p| is within rounding there, and none is missed.
+// |p| is within rounding there, none is missed, and the side of the beginning is known.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -124,6 +124,7 @@ const char* fault_of(const Cubic& b, const Oracle& oracle, const Roots& found, d
     if (!is_touch) return "a crossing was missed";
   }
   if ((found.count % 2 == 1) != ((b[0] >= 0) != (b[3] >= 0))) return "parity";
+  if (found.count > 0 && found.leaves(0) != (b[0] >= 0)) return "the side of the beginning";
   return nullptr;
 }
 

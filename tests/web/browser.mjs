@@ -7,7 +7,8 @@ import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
 
-const kKinds = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm' };
+const kKinds = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm' };
 const kPatience = 60000;  // milliseconds
 
 export function serve(folder) {
@@ -78,6 +79,7 @@ export class Browser {
   }
   async size(width, height) {
     await this.send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile: width < 600 });
+    await this.send('Emulation.setTouchEmulationEnabled', { enabled: width < 600 });
   }
   // A key as a keyboard sends it; letters are typed by type().
   async press(key) {
@@ -86,6 +88,19 @@ export class Browser {
     const fields = { key, code: key === ' ' ? 'Space' : key, windowsVirtualKeyCode: codes[key] };
     await this.send('Input.dispatchKeyEvent', { type: text ? 'keyDown' : 'rawKeyDown', text, ...fields });
     await this.send('Input.dispatchKeyEvent', { type: 'keyUp', ...fields });
+  }
+  // A finger goes from a place to another in steps, and is lifted. It may go nowhere: a tap.
+  async swipe([x, y], [dx, dy], steps = 4) {
+    const touch = (type, points) => this.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+    await touch('touchStart', [{ x, y }]);
+    for (let k = 1; k <= steps && (dx || dy); ++k) {
+      await touch('touchMove', [{ x: x + dx * k / steps, y: y + dy * k / steps }]);
+    }
+    await touch('touchEnd', []);
+  }
+  // Until the page has been drawn.
+  async frame() {
+    await this.value('new Promise((done) => requestAnimationFrame(done))');
   }
   async type(text) {
     await this.send('Input.insertText', { text });

@@ -3,25 +3,31 @@
 
 // The edge from a to b: its center, its dual line, its surface point x, the distance h of x from
 // the center, and the radius of its surface ball. There is no x if the line does not meet Sigma
-// near the edge.
+// as far from the center as the ends are.
 function facet_of(field, kappa, a, b) {
   const length = distance(a, b), center = between(a, b, 0.5);
   const outwards = [(b[1] - a[1]) / length, -(b[0] - a[0]) / length];
   const at = (t) => [center[0] + t * outwards[0], center[1] + t * outwards[1]];
   const is_inside = (t) => field.value(at(t)) >= kappa;
-  // Sigma faces outwards as the edge does, so it lies outwards of a center that is inside.
-  const side = is_inside(0) ? 1 : -1, kStep = 1 / 64;
+  const kStep = 1 / 64, reach = length / 2;
   const facet = { a, b, center, outwards, x: null, h: 0, radius: 0 };
-  for (let n = 0; n * kStep < length; ++n) {
-    let near = side * n * kStep, far = side * (n + 1) * kStep;
-    if (is_inside(near) === is_inside(far)) continue;
+  // Sigma faces outwards as the edge does: the inside ends there.
+  const leave = (low, high) => {
+    if (!is_inside(low) || is_inside(high)) return Infinity;
     for (let k = 0; k < 40; ++k) {
-      const middle = (near + far) / 2;
-      if (is_inside(middle) === is_inside(near)) near = middle;
-      else far = middle;
+      const middle = (low + high) / 2;
+      if (is_inside(middle)) low = middle;
+      else high = middle;
     }
-    facet.x = at(near);
-    facet.h = Math.abs(near);
+    return low;
+  };
+  for (let n = 0; n * kStep < reach; ++n) {
+    const low = n * kStep, high = Math.min(reach, low + kStep);
+    const [out, back] = [leave(low, high), leave(-high, -low)];
+    const t = Math.abs(out) <= Math.abs(back) ? out : back;
+    if (t === Infinity) continue;
+    facet.x = at(t);
+    facet.h = Math.abs(t);
     facet.radius = distance(facet.x, a);
     break;
   }

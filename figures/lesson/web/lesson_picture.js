@@ -11,6 +11,17 @@ function svg_element(tag, attributes, ...children) {
   return made;
 }
 
+// A finger that comes down on the element where `drags` holds does not scroll the page. The style touch-action says
+// so of whole pictures; within one, browsers do not heed it. give_up(): it scrolls all the same, as while the page still
+// rolls.
+function take_touches(target, drags, give_up) {
+  target.addEventListener('touchstart', (event) => {
+    if (!drags(event.changedTouches[0])) return;
+    if (event.cancelable) event.preventDefault();
+    else give_up();
+  }, { passive: false });
+}
+
 class Picture {
   // act: {move_site(n, vertex), select_site(n), remove_site(n), choose_sample(i, j), set_sample(value),
   // point_at(place), press(place)}.
@@ -117,20 +128,34 @@ class Picture {
     });
   }
 
-  // Places to drag samples by, up and down: a voxel's side is 40.
+  // Places to drag samples by, up and down: a voxel's side is 40. The whole picture is such a place, so a finger
+  // that goes over it scrolls the page. Only from the sample that it has tapped before does it drag.
   put_samples(field) {
     this.field = field;
     const [x, y] = this.to_paper([0, 0]), half = this.scale / 2;
     if (!this.grips) {
       this.grips = svg_element('rect', { class: 'draggable' });
       this.svg.append(this.grips);
-      let held = null;
+      let held = null, tapped = null, by_finger = false;
+      const sample_at = (event) => this.from_event(event).map(Math.round);
+      const is_tapped = (event) => String(sample_at(event)) === String(tapped);
+      take_touches(this.grips, is_tapped, () => { held = null; });
       this.grips.addEventListener('pointerdown', (event) => {
-        const [i, j] = this.from_event(event).map(Math.round);
+        by_finger = ['touch', 'pen'].includes(event.pointerType);
+        if (by_finger && !is_tapped(event)) {
+          tapped = null;
+          return;
+        }
+        const [i, j] = sample_at(event);
         event.preventDefault();
         this.grips.setPointerCapture(event.pointerId);
         held = { y: event.clientY, value: this.field.at(i, j) };
         this.act.choose_sample(i, j);
+      });
+      this.grips.addEventListener('click', (event) => {
+        if (!by_finger) return;
+        tapped = sample_at(event);
+        this.act.choose_sample(...tapped);
       });
       this.grips.addEventListener('pointermove', (event) => {
         if (!held) return;
@@ -175,7 +200,11 @@ class Picture {
       svg_element('circle', { r: 21, class: 'grip' }), svg_element('circle', { r: 7.5, class: 'knob' }),
       svg_element('text', { class: 'letter' }));
     let held = false;
+    take_touches(handle, () => true, () => { held = false; });
     handle.addEventListener('pointerdown', (event) => {
+      // A browser takes a finger that comes down beside a handle for one on it, and scrolls as well.
+      const { x, y, width } = handle.querySelector('.grip').getBoundingClientRect();
+      if (distance([event.clientX, event.clientY], [x + width / 2, y + width / 2]) > width / 2) return;
       event.preventDefault();
       event.stopPropagation();
       held = true;

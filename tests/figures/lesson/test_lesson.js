@@ -284,8 +284,8 @@ test('the certificate always comes to an end, at the latest with every vertex a 
   }
 });
 
-test('surface points: on Sigma, as far from both ends, on the right side, none nearer on that side', () => {
-  let found = 0;
+test('surface points: on Sigma, as far from both ends, where Sigma faces as the edge does, none such nearer', () => {
+  let found = 0, inward = 0;
   for (const { field, contour, sites } of scenes()) {
     const all = certify(contour, sites), regions = regions_of(contour, all);
     const loops = dual_loops(contour, regions).map((loop) => loop.map((n) => contour.points[all[n]]));
@@ -296,15 +296,18 @@ test('surface points: on Sigma, as far from both ends, on the right side, none n
       assert.ok(Math.abs(distance(x, a) - distance(x, b)) < 1e-9);
       assert.ok(Math.abs(distance(x, a) - radius) < 1e-9);
       assert.ok(Math.abs(distance(x, center) - h) < 1e-9);
-      const along = (x[0] - center[0]) * outwards[0] + (x[1] - center[1]) * outwards[1];
-      const is_inside = field.value(center) >= kKappa;
-      if (h > 1e-9) assert.equal(along > 0, is_inside);
-      for (let n = 1; n < 20; ++n) {
-        const p = between(center, x, n / 20);
-        if (Math.abs(field.value(p) - kKappa) > 1) assert.equal(field.value(p) >= kKappa, is_inside);
-      }
+      assert.ok(h <= distance(a, b) / 2);
+      // Sigma faces outwards there, and nowhere nearer, on either side of the center.
+      const value = (t) => field.value([center[0] + t * outwards[0], center[1] + t * outwards[1]]) - kKappa;
+      const t = (x[0] - center[0]) * outwards[0] + (x[1] - center[1]) * outwards[1];
+      assert.ok(value(t - 1e-4) > value(t + 1e-4));
+      const clear = Array.from({ length: 39 }, (_, n) => value(h * (n - 19) / 20)).filter((g) => Math.abs(g) > 1);
+      assert.ok(clear.every((g, n) => n === 0 || !(clear[n - 1] > 0 && g < 0)));
+      inward += t < 0 && value(0) > 1 || t > 0 && value(0) < -1;
     }
   }
+  // Some lie on the other side of an edge than the nearest crossing, which faces inwards.
+  assert.ok(inward > 0);
   assert.ok(found > 1000);
 });
 

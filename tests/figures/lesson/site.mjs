@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// The lesson by finger, on a phone's screen: what is dragged by its handle changes and the page stays; a swipe
+// over a picture scrolls the page and changes nothing. The tours of the site's traces show all that they tell of.
+// Needs Chromium. Usage: node site.mjs SITE
+import { spawnSync } from 'node:child_process';
+import { resolve } from 'node:path';
+import { Browser, serve } from '../../web/browser.mjs';
+
+const program = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable']
+  .find((name) => spawnSync('sh', ['-c', `command -v ${name}`]).status === 0);
+if (!program) process.exit(77);
+const server = await serve(resolve(process.argv[2])), browser = new Browser(program);
+let faults = 0;
+function count(what, good, all) {
+  console.log(`${good === all ? 'fine ' : 'FAULT'}  ${what}: ${good} of ${all}`);
+  if (good !== all) ++faults;
+}
+
+// All that a reader may change, as text.
+const kAll = `(({ kappa, field, sites, chosen_sample, chosen, edge, chosen_vertex, rounds }) => Object.fromEntries(Object.entries(
+  { kappa, samples: field.samples, sites, chosen_sample, chosen, edge, chosen_vertex, rounds: rounds.length })
+  .map(([key, value]) => [key, JSON.stringify(value) ?? ''])))(lesson.state)`;
+// The picture amid the screen.
+async function show(name) {
+  await browser.value(`document.querySelector('#picture-${name} svg').scrollIntoView({ block: 'center', behavior: 'instant' })`);
+  await browser.frame();
+}
+async function until_still() {
+  for (let before = NaN, same = 0; same < 3;) {
+    await browser.frame();
+    const now = await browser.value('scrollY');
+    same = now === before ? same + 1 : 0;
+    before = now;
+  }
+}
+// Where a place of the slice is on the screen, and the picture's handles.
+const on_screen = (name, place) => browser.value(`(() => {
+  const box = document.querySelector('#picture-${name} svg').getBoundingClientRect(), scale = box.width / 12.9;
+  return [box.left + scale * (${place[0]} + .45), box.bottom - scale * (${place[1]} + .45)];
+})()`);
+const knobs = (name) => browser.value(`[...document.querySelectorAll('#picture-${name} .knob')].map((knob) => {
+  const box = knob.getBoundingClientRect();
+  return [box.x + box.width / 2, box.y + box.height / 2];
+})`);
+// What the gesture changed of the state, '' for nothing, and how far the picture went over the screen. (Lines above
+// it may come and go, whereupon the browser scrolls to keep it.)
+async function swiped(name, from, by) {
+  const top = () => browser.value(`document.querySelector('#picture-${name} svg').getBoundingClientRect().top`);
+  const [before, was] = [await browser.value(kAll), await top()];
+  await browser.swipe(from, by);
+  await until_still();
+  const after = await browser.value(kAll);
+  return { changes: Object.keys(after).filter((key) => after[key] !== before[key]).join(), scrolled: Math.abs(await top() - was) };
+}
+
+try {
+  await browser.begin();
+  await browser.size(390, 844);
+  await browser.open(`http://127.0.0.1:${server.address().port}/`);
+  await browser.until('window.lesson !== undefined');
+
+  // Sites by their handles, any way, to the vertex of T nearest to the finger; a number after a tap on it, up or down.
+  let arrived = 0;
+  for (let [dx, dy] of [[0, 70], [0, -70], [70, 0], [-70, 0]]) {
+    for (const n of [1, 2, 3, 4, 5, 6]) {
+      await show('sites');
+      const at = (await knobs('sites'))[n];
+      const nearest = () => browser.value(`(() => {
+        const { left, bottom, width } = document.querySelector('#picture-sites svg').getBoundingClientRect(), scale = width / 12.9;
+        const { contour, sites } = lesson.state;
+        return nearest_vertex(contour, [(${at[0] + dx} - left) / scale - .45, (bottom - ${at[1] + dy}) / scale - .45],
+                              (v) => v === sites[${n}] || !sites.includes(v));
+      })()`);
+      const site = () => browser.value(`lesson.state.sites[${n}]`);
+      // No vertex is nearer to the finger over there: the other way.
+      if (await nearest() === await site()) [dx, dy] = [-dx, -dy];
+      const aim = await nearest();
+      const { changes, scrolled } = await swiped('sites', at, [dx, dy]);
+      // Or within a line of text of it: lines above may come and go.
+      const off = await browser.value(`distance(lesson.state.contour.points[${aim}],
+                                                lesson.state.contour.points[lesson.state.sites[${n}]])`);
+      const fine = changes.includes('sites') && scrolled < 1 && off < 1.5;
+      if (!fine) console.log(`site ${n} by ${dx}, ${dy}: changed ${changes}, scrolled ${scrolled}, off by ${off}`);
+      arrived += fine;
+    }
+  }
+  count('sites that are dragged move, and the page does not', arrived, 24);
+  arrived = 0;
+  for (const name of ['samples', 'contour']) {
+    for (const [n, place] of [[2, 2], [5, 4], [8, 6], [4, 6], [9, 3], [7, 4], [3, 5], [6, 2]].entries()) {
+      await show(name);
+      const at = await on_screen(name, place);
+      await browser.swipe(at, [0, 0]);
+      await until_still();
+      const { changes, scrolled } = await swiped(name, at, [0, (n + (name === 'contour')) % 2 ? 17 : -17]);
+      const fine = changes.includes('samples') && scrolled < 1;
+      if (!fine) console.log(`${name}, sample ${place}: changed ${changes}, scrolled ${scrolled}`);
+      arrived += fine;
+    }
+  }
+  count('numbers that are tapped, then dragged change, and the page does not', arrived, 16);
+
+  let unchanged = 0, went = 0, all = 0;
+  for (const name of ['samples', 'contour', 'coarsen', 'insertion', 'mesh']) {
+    for (const [n, place] of [[1, 7], [11, 7], [1, 1], [11, 1], [6, 5], [6, 1], [3, 7], [10, 7]].entries()) {
+      await show(name);
+      // Also from the number that is chosen; not from a handle.
+      const handles = await knobs(name), chosen = name === 'samples' && n === 4;
+      const at = await on_screen(name, chosen ? await browser.value('lesson.state.chosen_sample') : place);
+      while (handles.some(([x, y]) => Math.hypot(at[0] - x, at[1] - y) < 24)) at[0] += at[0] < 195 ? 6 : -6;
+      const { changes, scrolled } = await swiped(name, at, [n % 3 - 1, n % 2 ? 140 : -140]);
+      if (changes || scrolled < 10) console.log(`${name} from ${place}: changed ${changes}, scrolled ${scrolled}`);
+      unchanged += !changes;
+      went += scrolled >= 10;
+      ++all;
+    }
+  }
+  count('swipes over a picture change nothing', unchanged, all);
+  count('swipes over a picture scroll the page', went, all);
+
+  for (const [page, stops] of [['tori-paper.html', 8], ['tori.html', 6]]) {
+    await browser.open(`http://127.0.0.1:${server.address().port}/${page}`);
+    await browser.until('window.deliso?.view.trace !== undefined');
+    count(`stops of the tour of ${page} that the trace has`,
+          await browser.value('tour_stops(deliso.view.trace).filter(({ event }) => event >= 0).length'), stops);
+  }
+  const messages = browser.console.filter((line) => !line.includes('favicon'));
+  for (const line of messages) console.log(line);
+  count('messages of the page', messages.length, 0);
+} finally {
+  await browser.close();
+  server.close();
+}
+process.exit(faults ? 1 : 0);
