@@ -11,9 +11,7 @@
 #include <utility>
 
 #include "io/files/field_reader.h"
-#include "io/files/inflate.h"
-#include "io/files/text_scan.h"
-#include "io/volume/foreign_formats.h"
+#include "io/volume/gzip_file.h"
 #include "io/volume/sample_grid.h"
 #include "io/volume/scaled_samples.h"
 #include "io/volume/several_volumes.h"
@@ -25,10 +23,6 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::size_t kHeader1 = 348, kHeader2 = 540;
-
-bool is_gzip(const Bytes& bytes) {
-  return bytes.text().starts_with("\x1f\x8b");
-}
 
 // The fields that both versions of the header have.
 struct NiftiHeader {
@@ -220,35 +214,22 @@ Volume apply_scaling(const VolumeInput& input, const NiftiHeader& h, const Volum
 }  // namespace
 
 bool looks_like_nifti(const Bytes& bytes) {
-  return is_gzip(bytes) || parse_header(bytes.data).has_value();
+  return parse_header(start_of(bytes, kHeader2).data).has_value();
 }
 
 Volume read_nifti(const VolumeInput& input) {
-  Buffer start(kHeader2);
-  std::span<const std::byte> head = input.bytes.data;
-  if (is_gzip(input.bytes)) {
-    const Inflated inflated = inflate(input.bytes.data, Wrapping::gzip, start.span());
-    if (inflated.fault) fail(input.name(), "compressed data is damaged: ", inflated.fault);
-    head = start.span().first(inflated.size);
-  }
-  const std::optional<NiftiHeader> header = parse_header(head);
-  if (!header) refuse_gzip(input.name());
-  SampleGrid grid = read_grid(input, *header);
+  const NiftiHeader header = *parse_header(start_of(input.bytes, kHeader2).data);
+  SampleGrid grid = read_grid(input, header);
   // Numbers of ids have no scale.
-  if (is_scaled(*header) && std::isfinite(header->slope)) grid.read.as_labels = false;
+  if (is_scaled(header) && std::isfinite(header.slope)) grid.read.as_labels = false;
 
-  const Bytes data = header->in_one_file ? input.bytes : open_image_file(input);
-  const double offset = header->data_offset;
-  const double smallest = header->in_one_file ? static_cast<double>(kHeader1) : 0;
+  const Bytes data = header.in_one_file ? input.bytes : open_image_file(input);
+  const double offset = header.data_offset;
+  const double smallest = header.in_one_file ? static_cast<double>(kHeader1) : 0;
   if (!(offset >= smallest && offset <= 0x1p52) || offset != std::floor(offset))
     fail(input.name(), "vox_offset ", std::to_string(offset), " is not valid");
-  const std::uint64_t skip = static_cast<std::uint64_t>(offset);
-  if (is_gzip(data))
-    return apply_scaling(input, *header, volume_from_compressed(grid, data, Wrapping::gzip, skip));
-  if (skip > data.size())
-    fail(data.name, "has ", data.size(), " bytes, its samples begin at ", skip);
-  return apply_scaling(input, *header,
-                       volume_from_raw(grid, data.from(static_cast<std::size_t>(skip))));
+  return apply_scaling(input, header,
+                       volume_behind(grid, data, static_cast<std::uint64_t>(offset)));
 }
 
 }  // namespace deliso

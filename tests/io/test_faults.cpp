@@ -86,7 +86,7 @@ set byte skip: 25 | has 24 bytes, fewer than the 25 to skip
 set byte skip: x | field 'byteskip' is 'x': not an integer
 = NRRD0004\nwhat is this\n\n | header line 'what is this' is no 'field: value'
 = | is empty
-= some text\n | is in no known format (NRRD, MetaImage, NIfTI, VTK, NumPy, DICOM, TIFF; raw data needs dimensions and type)
+= some text\n | is in no known format (NRRD, MetaImage, NIfTI, MRC, VTK, NumPy, DICOM, TIFF; raw data needs dimensions and type)
 [nrrd ascii]
 x -> 1 2 3 4 5 6 7 +8\n | ok
 x -> 1 2 3 4 5 6 7            | data is too short: 2 x 2 x 2 uint8 samples need 8 numbers, found 7
@@ -170,6 +170,27 @@ MAAA -> MQAA | 2 x 3 x 4 int16 samples need 48 bytes, the array holds 49
 vtkZLibDataCompressor -> vtkLZ4DataCompressor | is compressed by 'vtkLZ4DataCompressor': convert it with python3 -c...
 \x03\x00\x00\x00\x14\x00\x00\x00\x08 -> \x03\x00\x00\x00\x14\x00\x00\x00\x09 | ...3 blocks of 20 bytes and a rest of 9 do not give that...
 \x03\x00\x00\x00\x14 -> \xff\xff\xff\xff\x14 | ends before 2 x 3 x 4 int16 samples
+[mrc]
+first 9999 | ok
+but 1 | data is too short: 2 x 3 x 4 int16 samples need 48 bytes, found 47
++ x | data is too long: 2 x 3 x 4 int16 samples need 48 bytes, found 49
+at 0: u4 0 | 0 samples along x: dimensions must be positive
+at 4: u4 4294967295 | -1 samples along y: dimensions must be positive
+at 12: u4 12 | MRC mode 12 is not supported (0, 1, 2 and 6 are): convert 16-bit floats with python3 -c...
+at 12: u4 4294967295 | MRC mode -1 is not supported...
+at 28: u4 0 | spacing along x is not positive: --spacing SX,SY,SZ gives it
+at 28: u4 0 && at 40: f4 0 | spacing along x is not positive: --spacing SX,SY,SZ gives it
+at 44: f4 nan | spacing along y is not positive: --spacing SX,SY,SZ gives it
+at 64: u4 2 | sheared grid: its axes are too near to one plane (x and y enclose 0 degrees): resample it
+at 68: u4 4 | axis 2 of it is 4, not X, Y or Z
+at 68: u4 0 | axis 2 of it is 0, not X, Y or Z
+at 60: f4 3 | sheared grid: its axes are too near to one plane...
+at 52: f4 3 | sheared grid: its axes are too near to one plane...
+at 92: u4 16 | data is too short: 2 x 3 x 4 int16 samples need 48 bytes, found 32
+at 92: u4 4000 | has 1072 bytes, its samples begin at 5024
+at 92: u4 4294967295 | has an extended header of -1 bytes
+at 196: f4 nan | its origin is further than 1e+30 away: --origin X,Y,Z gives it
+at 88: u4 401 && at 36: u4 2 | has 2 times: --time N chooses one, counted from 1
 [npy]
 first 9999 | ok
 |u1 -> <f4 | ...need 32 bytes, found 8
@@ -346,6 +367,7 @@ std::map<std::string, std::string> sound_files() {
       {"vti raw", vti_of({})},
       {"vti binary", vti_of({"binary", "", std::endian::little, 4, 0})},
       {"vti blocks", vti_of({"appended", "raw", std::endian::little, 4, 20})},
+      {"mrc", mrc(truth(SampleType::i16), std::endian::little)},
       {"npy", npy("|u1", false, "2, 2, 2", std::string(8, 'x'))},
       {"npy many", npy("|u1", false, ones + "2, 2, 2", std::string(8, 'x'))},
       {"ply",
