@@ -15,12 +15,9 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr const char* kPicture =
-    "is a picture: make one raw file of the slices with 'convert SLICES -depth 8 "
-    "gray:volume.raw', and give --dims and --type";
-constexpr const char* kPictures =
-    "is a folder of pictures: make one raw file of the slices with 'convert SLICES -depth 8 "
-    "gray:volume.raw', and give --dims and --type";
+constexpr const char* kByConvert =
+    ": make one raw file of the slices with 'convert SLICES -depth 8 gray:volume.raw', and give "
+    "--dims and --type";
 constexpr const char* kUnpack = "is compressed: unpack it with '";
 constexpr const char* kByNibabel =
     R"(: convert it with python3 -c "import nibabel; nibabel.save(nibabel.load('FILE'), )"
@@ -41,9 +38,9 @@ constexpr Signature kSignatures[] = {
     {"\x89HDF\r\n\x1a\n"sv,
      R"(is HDF5: 'h5ls -r FILE' lists its arrays; write one with python3 -c "import h5py, numpy; )",
      "numpy.save('volume.npy', h5py.File('FILE')['ARRAY'])\""},
-    {"\x89PNG\r\n\x1a\n"sv, kPicture},
-    {"\xff\xd8\xff"sv, kPicture},
-    {"\x1f\x8b"sv, "is compressed, but holds no header of NIfTI or MRC: unpack it with '",
+    {"\x89PNG\r\n\x1a\n"sv, "is a picture", kByConvert},
+    {"\xff\xd8\xff"sv, "is a picture", kByConvert},
+    {"\x1f\x8b"sv, "is compressed, but holds no header of NIfTI, MRC or INRIMAGE: unpack it with '",
      "gunzip FILE'"},
     {"BZh"sv, kUnpack, "bunzip2 FILE'"},
     {"\xfd\x37zXZ"sv, kUnpack, "unxz FILE'"},
@@ -75,10 +72,9 @@ void refuse_file(const Bytes& bytes) {
   if (lower(bytes.name).ends_with(".raw") || lower(bytes.name).ends_with(".img"))
     fail(bytes.name, "is read with its header, or as raw data with dimensions and type given");
   if (lower(bytes.name).ends_with(".hdr")) fail(bytes.name, "is no NIfTI header");
-  fail(
-      bytes.name,
-      "is in no known format (NRRD, MetaImage, NIfTI, MRC, VTK, NumPy, DICOM, TIFF; raw data needs "
-      "dimensions and type)");
+  fail(bytes.name,
+       "is in no known format (NRRD, MetaImage, NIfTI, MRC, INRIMAGE, VTK, NumPy, DICOM, TIFF; raw "
+       "data needs dimensions and type)");
 }
 
 std::string conversion_by_vtk(std::string_view reader, std::string_view filter) {
@@ -116,7 +112,8 @@ void refuse_folder(const std::string& path) {
        !fault && entry != std::filesystem::directory_iterator() && looked_at < 1000;
        entry.increment(fault), ++looked_at) {
     const std::string name = entry->path().filename().string();
-    if (lower(name).ends_with(".png") || lower(name).ends_with(".jpg")) fail(path, kPictures);
+    if (lower(name).ends_with(".png") || lower(name).ends_with(".jpg"))
+      fail(path, "is a folder of pictures", kByConvert);
   }
   fail(path,
        "is a folder without slices, of DICOM or TIFF: give the one that holds them, or a file");

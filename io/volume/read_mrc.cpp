@@ -8,7 +8,6 @@
 
 #include "base/elementary.h"
 #include "io/files/field_reader.h"
-#include "io/volume/gzip_file.h"
 #include "io/volume/sample_grid.h"
 #include "io/volume/several_volumes.h"
 #include "io/volume/volume_formats.h"

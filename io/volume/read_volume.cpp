@@ -31,6 +31,7 @@ constexpr Format kFormats[] = {{looks_like_nrrd, read_nrrd, false, true},
                                {looks_like_vti, read_vti, true},
                                {looks_like_npy, read_npy, false, false, false},
                                {looks_like_mrc, read_mrc, false, true},
+                               {looks_like_inr, read_inr, false, true},
                                {looks_like_dicom, read_dicom, false, true},
                                {looks_like_tiff, read_tiff, false, true, false},
                                {looks_like_metaimage, read_metaimage, false, true}};

@@ -86,7 +86,7 @@ set byte skip: 25 | has 24 bytes, fewer than the 25 to skip
 set byte skip: x | field 'byteskip' is 'x': not an integer
 = NRRD0004\nwhat is this\n\n | header line 'what is this' is no 'field: value'
 = | is empty
-= some text\n | is in no known format (NRRD, MetaImage, NIfTI, MRC, VTK, NumPy, DICOM, TIFF; raw data needs dimensions and type)
+= some text\n | is in no known format (NRRD, MetaImage, NIfTI, MRC, INRIMAGE, VTK, NumPy, DICOM, TIFF; raw data needs dimensions and type)
 [nrrd ascii]
 x -> 1 2 3 4 5 6 7 +8\n | ok
 x -> 1 2 3 4 5 6 7            | data is too short: 2 x 2 x 2 uint8 samples need 8 numbers, found 7
@@ -191,6 +191,23 @@ at 92: u4 4000 | has 1072 bytes, its samples begin at 5024
 at 92: u4 4294967295 | has an extended header of -1 bytes
 at 196: f4 nan | its origin is further than 1e+30 away: --origin X,Y,Z gives it
 at 88: u4 401 && at 36: u4 2 | has 2 times: --time N chooses one, counted from 1
+[inr]
+first 9999 | ok
+but 1 | data is too short: 2 x 3 x 4 int16 samples need 48 bytes, found 47
++ x | data is too long: 2 x 3 x 4 int16 samples need 48 bytes, found 49
+##} -> ### | its header has no end, '##}'
+XDIM=2 -> XDIM=-2 | -2 samples along x: dimensions must be positive
+XDIM=2 -> XDIM=two | key 'XDIM' is 'two': not an integer
+XDIM=2\n ->  | the header has no key 'XDIM'
+VDIM=1 -> VDIM=3 | has 3 channels: --channel N chooses one, counted from 1
+signed fixed -> packed | sample type 'packed16' is not supported...
+signed fixed -> float | sample type 'float16' is not supported...
+16 bits -> 12 bits | sample type 'int12' is not supported...
+2**0 -> 2**-8 | key 'SCALE' is '2**-8': only 2**0 is supported
+decm -> vax | key 'CPU' is 'vax': not decm, alpha, pc, sun or sgi
+VY= -> VY=x | key 'VY' is 'x1': not 1 numbers
+VY= -> VY=- | spacing along y is not positive: --spacing SX,SY,SZ gives it
+TZ= -> TZ=nan\n | its origin is further than 1e+30 away: --origin X,Y,Z gives it
 [npy]
 first 9999 | ok
 |u1 -> <f4 | ...need 32 bytes, found 8
@@ -368,6 +385,7 @@ std::map<std::string, std::string> sound_files() {
       {"vti binary", vti_of({"binary", "", std::endian::little, 4, 0})},
       {"vti blocks", vti_of({"appended", "raw", std::endian::little, 4, 20})},
       {"mrc", mrc(truth(SampleType::i16), std::endian::little)},
+      {"inr", inr(truth(SampleType::i16), std::endian::little)},
       {"npy", npy("|u1", false, "2, 2, 2", std::string(8, 'x'))},
       {"npy many", npy("|u1", false, ones + "2, 2, 2", std::string(8, 'x'))},
       {"ply",

@@ -71,7 +71,8 @@ TEST_CASE("files that are missing, unreadable, empty or no volumes are refused")
         "folder: is a folder without slices, of DICOM or TIFF: give the one that holds them, or a "
         "file");
   const std::string unknown =
-      ": is in no known format (NRRD, MetaImage, NIfTI, MRC, VTK, NumPy, DICOM, TIFF; raw data "
+      ": is in no known format (NRRD, MetaImage, NIfTI, MRC, INRIMAGE, VTK, NumPy, DICOM, TIFF; "
+      "raw data "
       "needs "
       "dimensions and "
       "type)";
@@ -98,7 +99,8 @@ TEST_CASE("each fault of compressed data has its message") {
       "v.nrrd: data is too long: 2 x 3 x 4 uint8 samples need 24 bytes, the compressed data holds "
       "more");
   CHECK(fault_of(folder, "v.nii.gz", gzipped("no header at all")) ==
-        "v.nii.gz: is compressed, but holds no header of NIfTI or MRC: unpack it with 'gunzip "
+        "v.nii.gz: is compressed, but holds no header of NIfTI, MRC or INRIMAGE: unpack it with "
+        "'gunzip "
         "FILE'");
   const std::string file = nifti(small_truth(), {})[0].content;
   CHECK(fault_of(folder, "v.nii.gz", gzipped(file.substr(0, 380))) ==

@@ -333,6 +333,28 @@ inline std::string mrc(const Truth& t, std::endian order, std::size_t extended =
   return mrc_header(t, order, extended) + std::string(extended, 'x') + t.in_order(order);
 }
 
+// ---- INRIMAGE (no axes)
+
+inline std::string inr(const Truth& t, std::endian order, int blocks = 1) {
+  const std::string kind = t.is_real() ? "float"
+                           : t.is_wide || t.type == SampleType::i8 || t.type == SampleType::i16 ||
+                                   t.type == SampleType::i32
+                               ? "signed fixed"
+                               : "unsigned fixed";
+  std::string h = "#INRIMAGE-4#{\nXDIM=" + to_text(t.dims.i) + "\nYDIM=" + to_text(t.dims.j) +
+                  "\nZDIM=" + to_text(t.dims.k) + "\nVDIM=" + to_text(t.channels) +
+                  "\nTYPE=" + kind + "\nPIXSIZE=" + to_text(8 * size_of(t.type)) +
+                  " bits\nSCALE=2**0\nCPU=";
+  h += order == std::endian::little ? (blocks == 1 ? "decm" : "pc") : (blocks == 1 ? "sun" : "sgi");
+  h += "\nVX=" + to_text(t.spacing.x) + "\nVY=" + to_text(t.spacing.y) +
+       "\nVZ=" + to_text(t.spacing.z);
+  h +=
+      "\nTX=" + to_text(t.origin.x) + "\nTY=" + to_text(t.origin.y) + "\nTZ=" + to_text(t.origin.z);
+  h += "\n#GEOMETRY=CARTESIAN";
+  h.resize(256 * static_cast<std::size_t>(blocks) - 4, '\n');
+  return h + "##}\n" + t.in_order(order);
+}
+
 // ---- VTK legacy (no axes)
 
 inline std::vector<NamedFile> vtk(const Truth& t, bool binary, bool field) {
@@ -917,6 +939,12 @@ inline std::vector<StoredVolume> all_forms(const Truth& t) {
                             t.axes == std::array{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
       all.push_back({"mrc" + std::string(name(order)), {{"v.mrc", file}}, has_axes});
       all.push_back({"mrc gzip", {{"v.map.gz", gzipped(file, t.seed)}}, has_axes});
+    }
+    for (const int blocks : {1, 2}) {
+      const std::string file = inr(t, order, blocks);
+      const bool has_axes = t.axes == std::array{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+      all.push_back({"inr" + std::string(name(order)), {{"v.inr", file}}, has_axes});
+      all.push_back({"inr gzip", {{"v.inr.gz", gzipped(file, t.seed)}}, has_axes});
     }
     ReadOptions raw;
     raw.raw = RawLayout{t.dims, t.type, order, 4};
