@@ -100,6 +100,9 @@ StoredType sample_type(const VolumeInput& input, int datatype) {
   for (const auto& [number, type] : kTypes) {
     if (number == datatype) return type;
   }
+  if (datatype == 128 || datatype == 2304)
+    fail(input.name(), "is in color (RGB", datatype == 128 ? "" : "A",
+         "): only grayscale can be meshed");
   fail(input.name(), "NIfTI datatype ", datatype,
        " is not supported (integers of 8 to 64 bits, float32, float64 are)");
 }

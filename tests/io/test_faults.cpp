@@ -55,8 +55,8 @@ set dimension: | the header has no field 'dimension'
 set type: short | the header has no field 'endian'
 set type: int64 | the header has no field 'endian'
 set type: block | sample type 'block' is not supported...
-set encoding: bzip2 | field 'encoding' is 'bzip2': only raw, gzip and ascii are supported
-set encoding: hex | field 'encoding' is 'hex': only raw, gzip and ascii are supported
+set encoding: bzip2 | field 'encoding' is 'bzip2': only raw, gzip and ascii are supported: convert it with 'unu save -f nrrd -e gzip -i FILE -o volume.nrrd' (of Teem; Debian has teem-unu)
+set encoding: hex | field 'encoding' is 'hex': only raw, gzip and ascii are supported: convert it with 'unu save -f nrrd -e gzip -i FILE -o volume.nrrd' (of Teem; Debian has teem-unu)
 set dimension: 4 | field 'sizes' is '2 3 4': not 4 numbers as 'dimension' says
 dimension: 3 -> dimension: 4 && 2 3 4 -> 3 2 2 2 | has 2 times: --time N chooses one, counted from 1
 dimension: 3 -> dimension: 5 && 2 3 4 -> 3 2 2 2 2 | sizes '3 2 2 2 2' are 5-dimensional: only three-dimensional scalar volumes can be meshed
@@ -114,6 +114,8 @@ NDims = 3 -> HeaderSize = 9999\nNDims = 3 | has 48 bytes, fewer than the 9999 of
 = ObjectType = Image\nnonsense\n | header line 'nonsense' is no 'Key = Value'
 [nii]
 at 0: u4 348 | ok
+at 70: u2 128 | is in color (RGB): only grayscale can be meshed
+at 70: u2 2304 | is in color (RGBA): only grayscale can be meshed
 at 70: u2 1536 | NIfTI datatype 1536 is not supported (integers of 8 to 64 bits, float32, float64 are)
 at 40: u2 2 | has 2 dimensions: only three-dimensional volumes can be meshed
 at 40: u2 65535 | has -1 dimensions: only three-dimensional volumes can be meshed
