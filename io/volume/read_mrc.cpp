@@ -84,12 +84,13 @@ void read_geometry(const VolumeInput& input, const FieldReader& fields, SampleGr
 }  // namespace
 
 bool looks_like_mrc(const Bytes& bytes) {
-  const Bytes header = start_of(bytes, kHeader);
-  return header.size() == kHeader && header.text().substr(kMap, 4) == "MAP ";
+  const Bytes start = start_of(bytes, kMap + 4);
+  return start.size() == kMap + 4 && start.text().ends_with("MAP ");
 }
 
 Volume read_mrc(const VolumeInput& input) {
   const Bytes header = start_of(input.bytes, kHeader);
+  if (header.size() < kHeader) fail(input.name(), "ends within its header");
   SampleGrid grid = grid_of(input);
   // Read in the wrong byte order, a number of columns is 65536 or more. The field for the order,
   // MACHST, is empty or wrong in files of some programs.

@@ -214,7 +214,8 @@ bool looks_like_nifti(const Bytes& bytes) {
 }
 
 Volume read_nifti(const VolumeInput& input) {
-  const NiftiHeader header = *parse_header(start_of(input.bytes, kHeader2).data);
+  // Without a header it has a type that is none.
+  const auto header = parse_header(start_of(input.bytes, kHeader2).data).value_or(NiftiHeader());
   SampleGrid grid = read_grid(input, header);
   // Numbers of ids have no scale.
   if (is_scaled(header) && std::isfinite(header.slope)) grid.read.as_labels = false;

@@ -176,6 +176,7 @@ vtkZLibDataCompressor -> vtkLZ4DataCompressor | is compressed by 'vtkLZ4DataComp
 first 9999 | ok
 but 1 | data is too short: 2 x 3 x 4 int16 samples need 48 bytes, found 47
 + x | data is too long: 2 x 3 x 4 int16 samples need 48 bytes, found 49
+first 1023 | ends within its header
 at 0: u4 0 | 0 samples along x: dimensions must be positive
 at 4: u4 4294967295 | -1 samples along y: dimensions must be positive
 at 12: u4 12 | MRC mode 12 is not supported (0, 1, 2 and 6 are): convert 16-bit floats with python3 -c...
