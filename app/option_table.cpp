@@ -157,7 +157,8 @@ constexpr OptionSpec kInputAndOutput[] = {
      "which series of a folder of DICOM (default: the only one; the info command lists several)",
      [](Line& l, Text o, Text v) { l.read.series = parse_count(o, v, 1); }},
     {"--channel", 0, "N", kVolume,
-     "which channel of a file that has several (NIfTI, NRRD, MetaImage, TIFF), counted from 1",
+     "which channel of a file that has several (NIfTI, NRRD, MetaImage, INRIMAGE, TIFF), counted "
+     "from 1",
      [](Line& l, Text o, Text v) { l.read.channel = parse_place(o, v); }},
     {"--time", 0, "N", kVolume, "which time of a file that has several, counted from 1",
      [](Line& l, Text o, Text v) { l.read.time = parse_place(o, v); }},

@@ -12,8 +12,9 @@ inline constexpr std::string_view kPurpose =
     "the "
     "exact topology, bounded triangle shapes and adaptive size.";
 inline constexpr std::string_view kVolumeFiles =
-    "INPUT: .nrrd .nhdr .mhd .mha .nii .nii.gz .hdr .vtk .vti .npy .tif .dcm, a folder of slices "
-    "(DICOM, TIFF), raw data with --dims and --type, builtin:NAME[:SIZE], or - for standard input.";
+    "INPUT: .nrrd .nhdr .mhd .mha .nii .nii.gz .hdr .mrc .map .inr .vtk .vti .npy .tif .dcm, a "
+    "folder of slices (DICOM, TIFF), raw data with --dims and --type, builtin:NAME[:SIZE], or - "
+    "for standard input.";
 inline constexpr std::string_view kMeshFiles =
     "MESH: .ply .off .obj .stl .vtp .glb .3mf, or - for standard input.";
 inline constexpr std::string_view kExitStatus =

@@ -4,46 +4,34 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "io/files/text_scan.h"
 #include "io/volume/sample_grid.h"
 
 namespace deliso {
-namespace {
-
-// "builtin:NAME:SIZE" -> NAME, SIZE (or empty); nothing without the prefix.
-std::optional<std::pair<std::string_view, std::optional<std::string_view>>> parse(
-    std::string_view input) {
-  constexpr std::string_view prefix = "builtin:";
-  if (!input.starts_with(prefix)) return std::nullopt;
-  input.remove_prefix(prefix.size());
-  const std::size_t colon = input.find(':');
-  if (colon == std::string_view::npos) return std::pair{input, std::nullopt};
-  return std::pair{input.substr(0, colon), std::optional(input.substr(colon + 1))};
-}
-
-}  // namespace
 
 const BuiltinField* find_builtin_field(std::string_view input) {
-  const auto parts = parse(input);
-  if (!parts) return nullptr;
+  const std::vector<std::string_view> words = split(input, ':');  // "builtin:NAME:SIZE"
+  if (words[0] != "builtin" || words.size() < 2) return nullptr;
   std::string known;
   for (const BuiltinField& field : builtin_fields()) {
-    if (field.name == parts->first) return &field;
+    if (field.name == words[1]) return &field;
     known += (known.empty() ? "" : ", ") + std::string(field.name);
   }
-  fail(input, "no built-in field ", quote(parts->first), " (there are ", known, ")");
+  fail(input, "no built-in field ", quote(words[1]), " (there are ", known, ")");
 }
 
 Volume make_builtin_volume(std::string_view input, const ReadOptions& options) {
   const BuiltinField* field = find_builtin_field(input);
   if (!field) fail(input, "is no built-in field");
   int size = field->default_size;
-  if (const auto text = parse(input)->second) {
-    const std::optional<std::int64_t> given = to_int(*text);
+  const std::string_view text =
+      input.substr(std::string_view("builtin:").size() + field->name.size());
+  if (!text.empty()) {
+    const std::optional<std::int64_t> given = to_int(text.substr(1));
     if (!given || *given < 16 || *given > 1024)
-      fail(input, "size ", quote(*text), " is not a number from 16 to 1024");
+      fail(input, "size ", quote(text.substr(1)), " is not a number from 16 to 1024");
     size = static_cast<int>(*given);
   }
   const auto whole = std::make_shared<const Volume>(sample_builtin_field(*field, size));

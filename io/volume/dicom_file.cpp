@@ -66,7 +66,8 @@ constexpr std::size_t kTimes = 5;
 constexpr std::pair<std::uint32_t, std::string DicomFile::*> kStrings[] = {
     {kSeries, &DicomFile::series},           {kInstance, &DicomFile::instance},
     {kImageType, &DicomFile::image_type},    {0x00620001, &DicomFile::segmentation_type},
-    {kDescription, &DicomFile::description}, {kPhotometric, &DicomFile::photometric}};
+    {kDescription, &DicomFile::description}, {kPhotometric, &DicomFile::photometric},
+    {0x00650010, &DicomFile::grid_owner},    {0x00651050, &DicomFile::grid_slices}};
 constexpr std::pair<std::uint32_t, int DicomFile::*> kShorts[] = {
     {kSamplesPerPixel, &DicomFile::samples_per_pixel},
     {kRows, &DicomFile::rows},
@@ -100,7 +101,7 @@ constexpr CodedSyntax kCodedSyntaxes[] = {
     {"1.2.840.10008.1.2.4.91", DicomCoding::jpeg, "JPEG 2000"}};
 
 constexpr const char* kConvert =
-    "convert it with 'gdcmconv --raw IN OUT', or the series with 'dcm2niix -o OUT FOLDER'";
+    "convert it with 'gdcmconv --raw IN OUT', or the series with 'dcm2niix -o . FOLDER'";
 
 bool is_upper(std::byte c) {
   return c >= std::byte{'A'} && c <= std::byte{'Z'};
@@ -437,10 +438,13 @@ class DicomParser {
       file_.fault =
           text("is in color (", quote(file_.photometric), "): only grayscale can be meshed");
     }
-    if (file_.image_type.find("MOSAIC") != std::string::npos) {
-      file_.fault =
-          "is a mosaic, as Siemens writes it: all slices in one picture. Convert the series with "
-          "'dcm2niix -o OUT FOLDER'";
+    // The private elements of United Imaging have a creator, and the number of slices in a picture.
+    const bool is_grid =
+        file_.grid_owner == "Image Private Header" && to_double(file_.grid_slices).value_or(0) > 1;
+    if (is_grid || file_.image_type.find("MOSAIC") != std::string::npos) {
+      file_.fault = text("is a mosaic, as ", is_grid ? "United Imaging" : "Siemens",
+                         " writes it: all slices in one picture. Convert the series with "
+                         "'dcm2niix -o . FOLDER'");
     }
     const int bits = file_.bits_allocated;
     if (bits == 0) {

@@ -64,7 +64,8 @@ struct DicomFile {
   std::int64_t series_number = std::numeric_limits<std::int64_t>::max();  // without one it is last
   std::string photometric;
   std::string image_type;
-  std::string segmentation_type;  // of a segmentation: BINARY, FRACTIONAL or LABELMAP
+  std::string grid_owner, grid_slices;  // of a mosaic of United Imaging
+  std::string segmentation_type;        // of a segmentation: BINARY, FRACTIONAL or LABELMAP
   std::vector<NamedSegment> segments;
   int columns = 0, rows = 0;
   std::int64_t frame_count = 1;

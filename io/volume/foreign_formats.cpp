@@ -15,12 +15,9 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr const char* kPicture =
-    "is a picture: make one raw file of the slices with 'convert SLICES -depth 8 "
-    "gray:volume.raw', and give --dims and --type";
-constexpr const char* kPictures =
-    "is a folder of pictures: make one raw file of the slices with 'convert SLICES -depth 8 "
-    "gray:volume.raw', and give --dims and --type";
+constexpr const char* kByConvert =
+    ": make one raw file of the slices with 'convert SLICES -depth 8 gray:volume.raw', and give "
+    "--dims and --type";
 constexpr const char* kUnpack = "is compressed: unpack it with '";
 constexpr const char* kByNibabel =
     R"(: convert it with python3 -c "import nibabel; nibabel.save(nibabel.load('FILE'), )"
@@ -35,24 +32,23 @@ constexpr const char* kZarrGroup =
     "zarr.open('FOLDER', mode='r')['0'][0, 0])\"";
 
 struct Signature {
-  std::size_t offset;
   std::string_view bytes, message, rest = {};
 };
 constexpr Signature kSignatures[] = {
-    {0, "\x89HDF\r\n\x1a\n"sv,
+    {"\x89HDF\r\n\x1a\n"sv,
      R"(is HDF5: 'h5ls -r FILE' lists its arrays; write one with python3 -c "import h5py, numpy; )",
      "numpy.save('volume.npy', h5py.File('FILE')['ARRAY'])\""},
-    {208, "MAP "sv,
-     "is MRC: read it as raw data, with --skip 1024 (and its extended header), --dims and --type"},
-    {0, "\x89PNG\r\n\x1a\n"sv, kPicture},
-    {0, "\xff\xd8\xff"sv, kPicture},
-    {0, "BZh"sv, kUnpack, "bunzip2 FILE'"},
-    {0, "\xfd\x37zXZ"sv, kUnpack, "unxz FILE'"},
-    {0, "\x28\xb5\x2f\xfd"sv, kUnpack, "unzstd FILE'"},
-    {0, "PK\3\4"sv, "is a zip archive, as NumPy's .npz is: unpack it with 'unzip FILE'"},
+    {"\x89PNG\r\n\x1a\n"sv, "is a picture", kByConvert},
+    {"\xff\xd8\xff"sv, "is a picture", kByConvert},
+    {"\x1f\x8b"sv, "is compressed, but holds no header of NIfTI, MRC or INRIMAGE: unpack it with '",
+     "gunzip FILE'"},
+    {"BZh"sv, kUnpack, "bunzip2 FILE'"},
+    {"\xfd\x37zXZ"sv, kUnpack, "unxz FILE'"},
+    {"\x28\xb5\x2f\xfd"sv, kUnpack, "unzstd FILE'"},
+    {"PK\3\4"sv, "is a zip archive, as NumPy's .npz is: unpack it with 'unzip FILE'"},
     // The size of the header, in either byte order; NIfTI has a magic number as well.
-    {0, "\x5c\x01\0\0"sv, "is ANALYZE 7.5", kByNibabel},
-    {0, "\0\0\x01\x5c"sv, "is ANALYZE 7.5", kByNibabel},
+    {"\x5c\x01\0\0"sv, "is ANALYZE 7.5", kByNibabel},
+    {"\0\0\x01\x5c"sv, "is ANALYZE 7.5", kByNibabel},
 };
 
 // Refuses formats whose first bytes are those of others: MINC is HDF5, too.
@@ -71,20 +67,14 @@ void refuse_file(const Bytes& bytes) {
   if (bytes.size() == 0) fail(bytes.name, "is empty");
   refuse_name(bytes.name);
   for (const Signature& known : kSignatures) {
-    if (bytes.size() >= known.offset && bytes.text().substr(known.offset).starts_with(known.bytes))
-      fail(bytes.name, known.message, known.rest);
+    if (bytes.text().starts_with(known.bytes)) fail(bytes.name, known.message, known.rest);
   }
   if (lower(bytes.name).ends_with(".raw") || lower(bytes.name).ends_with(".img"))
     fail(bytes.name, "is read with its header, or as raw data with dimensions and type given");
   if (lower(bytes.name).ends_with(".hdr")) fail(bytes.name, "is no NIfTI header");
   fail(bytes.name,
-       "is in no known format (NRRD, MetaImage, NIfTI, VTK, NumPy, DICOM, TIFF; raw data needs "
-       "dimensions and type)");
-}
-
-void refuse_gzip(const std::string& name) {
-  refuse_name(name);
-  fail(name, "is compressed, but holds no NIfTI header: unpack it with 'gunzip FILE'");
+       "is in no known format (NRRD, MetaImage, NIfTI, MRC, INRIMAGE, VTK, NumPy, DICOM, TIFF; raw "
+       "data needs dimensions and type)");
 }
 
 std::string conversion_by_vtk(std::string_view reader, std::string_view filter) {
@@ -122,7 +112,8 @@ void refuse_folder(const std::string& path) {
        !fault && entry != std::filesystem::directory_iterator() && looked_at < 1000;
        entry.increment(fault), ++looked_at) {
     const std::string name = entry->path().filename().string();
-    if (lower(name).ends_with(".png") || lower(name).ends_with(".jpg")) fail(path, kPictures);
+    if (lower(name).ends_with(".png") || lower(name).ends_with(".jpg"))
+      fail(path, "is a folder of pictures", kByConvert);
   }
   fail(path,
        "is a folder without slices, of DICOM or TIFF: give the one that holds them, or a file");

@@ -10,10 +10,8 @@
 
 namespace deliso {
 
-// Throw an InputError: for a file in an unknown format, for one of gzip that is no NIfTI, and for a
-// folder.
+// Throw an InputError: for a file in an unknown format, and for a folder.
 [[noreturn]] void refuse_file(const Bytes& bytes);
-[[noreturn]] void refuse_gzip(const std::string& name);
 void refuse_zarr(const std::string& path);  // only if it is Zarr
 [[noreturn]] void refuse_folder(const std::string& path);
 

@@ -5,15 +5,13 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "io/files/field_reader.h"
-#include "io/files/inflate.h"
-#include "io/files/text_scan.h"
-#include "io/volume/foreign_formats.h"
 #include "io/volume/sample_grid.h"
 #include "io/volume/scaled_samples.h"
 #include "io/volume/several_volumes.h"
@@ -26,10 +24,6 @@ using namespace std::string_view_literals;
 
 constexpr std::size_t kHeader1 = 348, kHeader2 = 540;
 
-bool is_gzip(const Bytes& bytes) {
-  return bytes.text().starts_with("\x1f\x8b");
-}
-
 // The fields that both versions of the header have.
 struct NiftiHeader {
   std::endian order = std::endian::native;
@@ -40,49 +34,37 @@ struct NiftiHeader {
   double data_offset = 0;
   double slope = 0, intercept = 0;
   int qform_code = 0, sform_code = 0, units = 0;
-  double quatern[3]{}, qoffset[3]{};
-  double srow[3][4]{};
+  double qform[6]{};  // a quaternion and the origin
+  double srow[12]{};  // three rows of four
 };
 
-template <class Real>
-void read_reals(const FieldReader& fields, std::size_t offset, double* to, std::size_t count) {
-  for (std::size_t n = 0; n < count; ++n)
-    to[n] = static_cast<double>(fields.get<Real>(offset + n * sizeof(Real)));
-}
+// The offsets of its fields in a version.
+struct NiftiOffsets {
+  std::size_t dim, datatype, pixdim, data, slope, intercept, units, qform_code, sform_code, qform,
+      srow;
+};
+constexpr NiftiOffsets kOffsets1{40, 70, 76, 108, 112, 116, 123, 252, 254, 256, 280},
+    kOffsets2{16, 12, 104, 168, 176, 184, 500, 344, 348, 352, 400};
 
-NiftiHeader parse_version_1(const FieldReader& fields) {
+// The types are those of the fields in the version.
+template <class Real, class Size, class Offset, class Units, class Code>
+NiftiHeader parse_version(const FieldReader& fields, const NiftiOffsets& at) {
   NiftiHeader h;
-  for (std::size_t n = 0; n < 8; ++n) h.dim[n] = fields.get<std::int16_t>(40 + 2 * n);
-  h.datatype = fields.get<std::int16_t>(70);
-  read_reals<float>(fields, 76, h.pixdim, 8);
-  read_reals<float>(fields, 108, &h.data_offset, 1);
-  read_reals<float>(fields, 112, &h.slope, 1);
-  read_reals<float>(fields, 116, &h.intercept, 1);
-  h.units = fields.get<std::uint8_t>(123);
-  h.qform_code = fields.get<std::int16_t>(252);
-  h.sform_code = fields.get<std::int16_t>(254);
-  read_reals<float>(fields, 256, h.quatern, 3);
-  read_reals<float>(fields, 268, h.qoffset, 3);
-  for (std::size_t row = 0; row < 3; ++row)
-    read_reals<float>(fields, 280 + 16 * row, h.srow[row], 4);
-  return h;
-}
-
-NiftiHeader parse_version_2(const FieldReader& fields) {
-  NiftiHeader h;
-  for (std::size_t n = 0; n < 8; ++n) h.dim[n] = fields.get<std::int64_t>(16 + 8 * n);
-  h.datatype = fields.get<std::int16_t>(12);
-  read_reals<double>(fields, 104, h.pixdim, 8);
-  h.data_offset = static_cast<double>(fields.get<std::int64_t>(168));
-  read_reals<double>(fields, 176, &h.slope, 1);
-  read_reals<double>(fields, 184, &h.intercept, 1);
-  h.qform_code = fields.get<std::int32_t>(344);
-  h.sform_code = fields.get<std::int32_t>(348);
-  h.units = fields.get<std::int32_t>(500);
-  read_reals<double>(fields, 352, h.quatern, 3);
-  read_reals<double>(fields, 376, h.qoffset, 3);
-  for (std::size_t row = 0; row < 3; ++row)
-    read_reals<double>(fields, 400 + 32 * row, h.srow[row], 4);
+  const auto read_reals = [&](std::size_t offset, std::span<double> to) {
+    for (std::size_t n = 0; n < to.size(); ++n)
+      to[n] = static_cast<double>(fields.get<Real>(offset + n * sizeof(Real)));
+  };
+  for (std::size_t n = 0; n < 8; ++n) h.dim[n] = fields.get<Size>(at.dim + n * sizeof(Size));
+  h.datatype = fields.get<std::int16_t>(at.datatype);
+  read_reals(at.pixdim, h.pixdim);
+  h.data_offset = static_cast<double>(fields.get<Offset>(at.data));
+  h.slope = static_cast<double>(fields.get<Real>(at.slope));
+  h.intercept = static_cast<double>(fields.get<Real>(at.intercept));
+  h.units = fields.get<Units>(at.units);
+  h.qform_code = fields.get<Code>(at.qform_code);
+  h.sform_code = fields.get<Code>(at.sform_code);
+  read_reals(at.qform, h.qform);
+  read_reals(at.srow, h.srow);
   return h;
 }
 
@@ -94,7 +76,12 @@ std::optional<NiftiHeader> parse_header(std::span<const std::byte> bytes) {
     const auto size = fields.get<std::uint32_t>(0);
     if (size != kHeader1 && (size != kHeader2 || bytes.size() < kHeader2)) continue;
     const bool is_first = size == kHeader1;
-    NiftiHeader h = is_first ? parse_version_1(fields) : parse_version_2(fields);
+    using I16 = std::int16_t;
+    using I32 = std::int32_t;
+    using I64 = std::int64_t;
+    NiftiHeader h = is_first
+                        ? parse_version<float, I16, float, std::uint8_t, I16>(fields, kOffsets1)
+                        : parse_version<double, I64, I64, I32, I32>(fields, kOffsets2);
     h.order = order;
     const std::string_view magic(reinterpret_cast<const char*>(bytes.data()) + (is_first ? 344 : 4),
                                  4);
@@ -113,6 +100,9 @@ StoredType sample_type(const VolumeInput& input, int datatype) {
   for (const auto& [number, type] : kTypes) {
     if (number == datatype) return type;
   }
+  if (datatype == 128 || datatype == 2304)
+    fail(input.name(), "is in color (RGB", datatype == 128 ? "" : "A",
+         "): only grayscale can be meshed");
   fail(input.name(), "NIfTI datatype ", datatype,
        " is not supported (integers of 8 to 64 bits, float32, float64 are)");
 }
@@ -122,8 +112,8 @@ StoredType sample_type(const VolumeInput& input, int datatype) {
 void read_geometry(const VolumeInput& input, const NiftiHeader& h, SampleGrid& grid) {
   if (h.sform_code > 0) {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      grid.steps[axis] = {h.srow[0][axis], h.srow[1][axis], h.srow[2][axis]};
-    grid.origin = {h.srow[0][3], h.srow[1][3], h.srow[2][3]};
+      grid.steps[axis] = {h.srow[axis], h.srow[4 + axis], h.srow[8 + axis]};
+    grid.origin = {h.srow[3], h.srow[7], h.srow[11]};
     grid.space = AnatomicalSpace::ras;
     return;
   }
@@ -135,7 +125,7 @@ void read_geometry(const VolumeInput& input, const NiftiHeader& h, SampleGrid& g
         "origin, and no space is known");
     return;
   }
-  double b = h.quatern[0], c = h.quatern[1], d = h.quatern[2];
+  double b = h.qform[0], c = h.qform[1], d = h.qform[2];
   double a = 1 - (b * b + c * c + d * d);
   if (a < 1e-7) {  // a half turn: rounding must not leave it a non-unit quaternion
     const double scale = 1 / std::sqrt(b * b + c * c + d * d);
@@ -153,7 +143,7 @@ void read_geometry(const VolumeInput& input, const NiftiHeader& h, SampleGrid& g
                          flip * (a * a + d * d - b * b - c * c)}};
   for (std::size_t axis = 0; axis < 3; ++axis)
     grid.steps[axis] = grid.steps[axis][static_cast<int>(axis)] * axes[axis];
-  grid.origin = {h.qoffset[0], h.qoffset[1], h.qoffset[2]};
+  grid.origin = {h.qform[3], h.qform[4], h.qform[5]};
   grid.space = AnatomicalSpace::ras;
 }
 
@@ -220,35 +210,23 @@ Volume apply_scaling(const VolumeInput& input, const NiftiHeader& h, const Volum
 }  // namespace
 
 bool looks_like_nifti(const Bytes& bytes) {
-  return is_gzip(bytes) || parse_header(bytes.data).has_value();
+  return parse_header(start_of(bytes, kHeader2).data).has_value();
 }
 
 Volume read_nifti(const VolumeInput& input) {
-  Buffer start(kHeader2);
-  std::span<const std::byte> head = input.bytes.data;
-  if (is_gzip(input.bytes)) {
-    const Inflated inflated = inflate(input.bytes.data, Wrapping::gzip, start.span());
-    if (inflated.fault) fail(input.name(), "compressed data is damaged: ", inflated.fault);
-    head = start.span().first(inflated.size);
-  }
-  const std::optional<NiftiHeader> header = parse_header(head);
-  if (!header) refuse_gzip(input.name());
-  SampleGrid grid = read_grid(input, *header);
+  // Without a header it has a type that is none.
+  const auto header = parse_header(start_of(input.bytes, kHeader2).data).value_or(NiftiHeader());
+  SampleGrid grid = read_grid(input, header);
   // Numbers of ids have no scale.
-  if (is_scaled(*header) && std::isfinite(header->slope)) grid.read.as_labels = false;
+  if (is_scaled(header) && std::isfinite(header.slope)) grid.read.as_labels = false;
 
-  const Bytes data = header->in_one_file ? input.bytes : open_image_file(input);
-  const double offset = header->data_offset;
-  const double smallest = header->in_one_file ? static_cast<double>(kHeader1) : 0;
+  const Bytes data = header.in_one_file ? input.bytes : open_image_file(input);
+  const double offset = header.data_offset;
+  const double smallest = header.in_one_file ? static_cast<double>(kHeader1) : 0;
   if (!(offset >= smallest && offset <= 0x1p52) || offset != std::floor(offset))
     fail(input.name(), "vox_offset ", std::to_string(offset), " is not valid");
-  const std::uint64_t skip = static_cast<std::uint64_t>(offset);
-  if (is_gzip(data))
-    return apply_scaling(input, *header, volume_from_compressed(grid, data, Wrapping::gzip, skip));
-  if (skip > data.size())
-    fail(data.name, "has ", data.size(), " bytes, its samples begin at ", skip);
-  return apply_scaling(input, *header,
-                       volume_from_raw(grid, data.from(static_cast<std::size_t>(skip))));
+  return apply_scaling(input, header,
+                       volume_behind(grid, data, static_cast<std::uint64_t>(offset)));
 }
 
 }  // namespace deliso

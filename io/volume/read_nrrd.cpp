@@ -271,7 +271,9 @@ Volume read_nrrd(const VolumeInput& input) {
   const bool gzip = encoding == "gzip" || encoding == "gz";
   const bool text = encoding == "ascii" || encoding == "text" || encoding == "txt";
   if (!raw && !gzip && !text)
-    header.fail_field("encoding", "only raw, gzip and ascii are supported");
+    header.fail_field("encoding",
+                      "only raw, gzip and ascii are supported: convert it with 'unu save -f nrrd "
+                      "-e gzip -i FILE -o volume.nrrd' (of Teem; Debian has teem-unu)");
 
   if (!text && size_of(grid.type) > 1) {
     const std::string endian = lower(header.get("endian"));

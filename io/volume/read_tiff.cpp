@@ -65,8 +65,7 @@ StoredType sample_type(const VolumeInput& input, const TiffPage& page) {
                                                           : "complex numbers";
   fail(input.name(), "its samples are ", kind, " of ", page.bits,
        " bits (unsigned integers of 1 to 16, 32 and 64, signed ones of 8, 16, 32 and 64, floating "
-       "point "
-       "of 32 and 64 are read)");
+       "point of 32 and 64 are read)");
 }
 
 // Refuses a page that cannot be read, or does not go with the first. Messages call them `name` and

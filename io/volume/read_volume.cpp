@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "io/volume/read_volume.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <new>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "io/files/text_scan.h"
 #include "io/volume/builtin_volume.h"
@@ -28,6 +30,8 @@ constexpr Format kFormats[] = {{looks_like_nrrd, read_nrrd, false, true},
                                {looks_like_nifti, read_nifti, false, true},
                                {looks_like_vti, read_vti, true},
                                {looks_like_npy, read_npy, false, false, false},
+                               {looks_like_mrc, read_mrc, false, true},
+                               {looks_like_inr, read_inr, false, true},
                                {looks_like_dicom, read_dicom, false, true},
                                {looks_like_tiff, read_tiff, false, true, false},
                                {looks_like_metaimage, read_metaimage, false, true}};
@@ -166,51 +170,21 @@ std::optional<StoredType> sample_type_named(std::string_view name) {
     if (c == '_') c = ' ';
   if (plain.starts_with("met ")) plain.erase(0, 4);
   if (plain.ends_with(" t")) plain.resize(plain.size() - 2);
-  struct Spelling {
-    std::string_view name;
-    StoredType type;
-  };
   using Wide = StoredType::Wide;
-  constexpr Spelling spellings[] = {
-      {"uint8", SampleType::u8},
-      {"uchar", SampleType::u8},
-      {"unsigned char", SampleType::u8},
-      {"int8", SampleType::i8},
-      {"char", SampleType::i8},
-      {"signed char", SampleType::i8},
-      {"uint16", SampleType::u16},
-      {"ushort", SampleType::u16},
-      {"unsigned short", SampleType::u16},
-      {"unsigned short int", SampleType::u16},
-      {"int16", SampleType::i16},
-      {"short", SampleType::i16},
-      {"short int", SampleType::i16},
-      {"signed short", SampleType::i16},
-      {"signed short int", SampleType::i16},
-      {"uint32", SampleType::u32},
-      {"uint", SampleType::u32},
-      {"unsigned int", SampleType::u32},
-      {"int32", SampleType::i32},
-      {"int", SampleType::i32},
-      {"signed int", SampleType::i32},
-      {"int64", Wide::i64},
-      {"long long", Wide::i64},
-      {"long long int", Wide::i64},
-      {"signed long long", Wide::i64},
-      {"signed long long int", Wide::i64},
-      {"longlong", Wide::i64},
-      {"uint64", Wide::u64},
-      {"unsigned long long", Wide::u64},
-      {"unsigned long long int", Wide::u64},
-      {"ulonglong", Wide::u64},
-      {"ulong long", Wide::u64},
-      {"float32", SampleType::f32},
-      {"float", SampleType::f32},
-      {"float64", SampleType::f64},
-      {"double", SampleType::f64},
-  };
-  for (const Spelling& spelling : spellings)
-    if (spelling.name == plain) return spelling.type;
+  constexpr std::pair<StoredType, std::string_view> kSpellings[] = {
+      {SampleType::u8, "uint8,uchar,unsigned char"},
+      {SampleType::i8, "int8,char,signed char"},
+      {SampleType::u16, "uint16,ushort,unsigned short,unsigned short int"},
+      {SampleType::i16, "int16,short,short int,signed short,signed short int"},
+      {SampleType::u32, "uint32,uint,unsigned int"},
+      {SampleType::i32, "int32,int,signed int"},
+      {Wide::i64, "int64,long long,long long int,signed long long,signed long long int,longlong"},
+      {Wide::u64, "uint64,unsigned long long,unsigned long long int,ulonglong,ulong long"},
+      {SampleType::f32, "float32,float"},
+      {SampleType::f64, "float64,double"}};
+  for (const auto& [type, spellings] : kSpellings) {
+    if (std::ranges::count(split(spellings, ','), plain) > 0) return type;
+  }
   return std::nullopt;
 }
 

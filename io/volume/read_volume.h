@@ -6,6 +6,8 @@
 //   NRRD 1-5        .nrrd; .nhdr + one data file      raw, gzip, ascii
 //   MetaImage       .mha; .mhd + one data file        raw, zlib or gzip (CompressedData), ascii
 //   NIfTI-1, -2     .nii, .nii.gz; .hdr + .img[.gz]   raw, gzip
+//   MRC, CCP4       .mrc, .map, .ccp4; [.gz]          raw, gzip
+//   INRIMAGE-4      .inr, .inr.gz                     raw, gzip
 //   VTK legacy      .vtk, STRUCTURED_POINTS           BINARY, ASCII; one scalar array
 //   VTK XML         .vti, .vtr, one piece             appended (raw, base64), binary, ascii;
 //                                                     plain or vtkZLibDataCompressor

@@ -100,6 +100,11 @@ Volume volume_from_text(const SampleGrid& grid, const Bytes& data, bool more_may
 // Returns the volume. `data` has `skip` bytes and then exactly the samples, compressed.
 Volume volume_from_compressed(const SampleGrid& grid, const Bytes& data, Wrapping wrapping,
                               std::uint64_t skip);
+// Returns the first bytes of a file, or of what gzip compressed as a whole: `count`, or all if
+// there are fewer.
+Bytes start_of(const Bytes& bytes, std::size_t count);
+// Returns the volume of such a file. Its samples follow `skip` bytes, to the end.
+Volume volume_behind(const SampleGrid& grid, const Bytes& bytes, std::uint64_t skip);
 // Returns the volume. `write_slice(k, out)` fills `out` with the samples of slice k, in native
 // order. It is called for the slices of the grid's region only; the others take no memory. pre: the
 // data of all slices is known to exist, and the grid is not among others.

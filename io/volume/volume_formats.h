@@ -44,9 +44,13 @@ std::vector<NamedSegment> segments_of_nrrd(const Bytes& bytes);
 bool looks_like_metaimage(const Bytes& bytes);
 Volume read_metaimage(const VolumeInput& input);
 
-// True for gzip data too: of the formats here only NIfTI is compressed as a whole.
+// Also of files that gzip compressed as a whole (start_of()). They throw if the start is damaged.
 bool looks_like_nifti(const Bytes& bytes);
 Volume read_nifti(const VolumeInput& input);
+bool looks_like_mrc(const Bytes& bytes);
+Volume read_mrc(const VolumeInput& input);
+bool looks_like_inr(const Bytes& bytes);
+Volume read_inr(const VolumeInput& input);
 
 bool looks_like_vtk(const Bytes& bytes);
 Volume read_vtk(const VolumeInput& input);

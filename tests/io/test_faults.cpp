@@ -55,8 +55,8 @@ set dimension: | the header has no field 'dimension'
 set type: short | the header has no field 'endian'
 set type: int64 | the header has no field 'endian'
 set type: block | sample type 'block' is not supported...
-set encoding: bzip2 | field 'encoding' is 'bzip2': only raw, gzip and ascii are supported
-set encoding: hex | field 'encoding' is 'hex': only raw, gzip and ascii are supported
+set encoding: bzip2 | field 'encoding' is 'bzip2': only raw, gzip and ascii are supported: convert it with 'unu save -f nrrd -e gzip -i FILE -o volume.nrrd' (of Teem; Debian has teem-unu)
+set encoding: hex | field 'encoding' is 'hex': only raw, gzip and ascii are supported: convert it with 'unu save -f nrrd -e gzip -i FILE -o volume.nrrd' (of Teem; Debian has teem-unu)
 set dimension: 4 | field 'sizes' is '2 3 4': not 4 numbers as 'dimension' says
 dimension: 3 -> dimension: 4 && 2 3 4 -> 3 2 2 2 | has 2 times: --time N chooses one, counted from 1
 dimension: 3 -> dimension: 5 && 2 3 4 -> 3 2 2 2 2 | sizes '3 2 2 2 2' are 5-dimensional: only three-dimensional scalar volumes can be meshed
@@ -86,7 +86,7 @@ set byte skip: 25 | has 24 bytes, fewer than the 25 to skip
 set byte skip: x | field 'byteskip' is 'x': not an integer
 = NRRD0004\nwhat is this\n\n | header line 'what is this' is no 'field: value'
 = | is empty
-= some text\n | is in no known format (NRRD, MetaImage, NIfTI, VTK, NumPy, DICOM, TIFF; raw data needs dimensions and type)
+= some text\n | is in no known format (NRRD, MetaImage, NIfTI, MRC, INRIMAGE, VTK, NumPy, DICOM, TIFF; raw data needs dimensions and type)
 [nrrd ascii]
 x -> 1 2 3 4 5 6 7 +8\n | ok
 x -> 1 2 3 4 5 6 7            | data is too short: 2 x 2 x 2 uint8 samples need 8 numbers, found 7
@@ -114,6 +114,8 @@ NDims = 3 -> HeaderSize = 9999\nNDims = 3 | has 48 bytes, fewer than the 9999 of
 = ObjectType = Image\nnonsense\n | header line 'nonsense' is no 'Key = Value'
 [nii]
 at 0: u4 348 | ok
+at 70: u2 128 | is in color (RGB): only grayscale can be meshed
+at 70: u2 2304 | is in color (RGBA): only grayscale can be meshed
 at 70: u2 1536 | NIfTI datatype 1536 is not supported (integers of 8 to 64 bits, float32, float64 are)
 at 40: u2 2 | has 2 dimensions: only three-dimensional volumes can be meshed
 at 40: u2 65535 | has -1 dimensions: only three-dimensional volumes can be meshed
@@ -170,6 +172,45 @@ MAAA -> MQAA | 2 x 3 x 4 int16 samples need 48 bytes, the array holds 49
 vtkZLibDataCompressor -> vtkLZ4DataCompressor | is compressed by 'vtkLZ4DataCompressor': convert it with python3 -c...
 \x03\x00\x00\x00\x14\x00\x00\x00\x08 -> \x03\x00\x00\x00\x14\x00\x00\x00\x09 | ...3 blocks of 20 bytes and a rest of 9 do not give that...
 \x03\x00\x00\x00\x14 -> \xff\xff\xff\xff\x14 | ends before 2 x 3 x 4 int16 samples
+[mrc]
+first 9999 | ok
+but 1 | data is too short: 2 x 3 x 4 int16 samples need 48 bytes, found 47
++ x | data is too long: 2 x 3 x 4 int16 samples need 48 bytes, found 49
+first 1023 | ends within its header
+at 0: u4 0 | 0 samples along x: dimensions must be positive
+at 4: u4 4294967295 | -1 samples along y: dimensions must be positive
+at 12: u4 12 | MRC mode 12 is not supported (0, 1, 2 and 6 are): convert 16-bit floats with python3 -c...
+at 12: u4 4294967295 | MRC mode -1 is not supported...
+at 28: u4 0 | spacing along x is not positive: --spacing SX,SY,SZ gives it
+at 28: u4 0 && at 40: f4 0 | spacing along x is not positive: --spacing SX,SY,SZ gives it
+at 44: f4 nan | spacing along y is not positive: --spacing SX,SY,SZ gives it
+at 64: u4 2 | sheared grid: its axes are too near to one plane (x and y enclose 0 degrees): resample it
+at 68: u4 4 | axis 2 of it is 4, not X, Y or Z
+at 68: u4 0 | axis 2 of it is 0, not X, Y or Z
+at 60: f4 3 | sheared grid: its axes are too near to one plane...
+at 52: f4 3 | sheared grid: its axes are too near to one plane...
+at 92: u4 16 | data is too short: 2 x 3 x 4 int16 samples need 48 bytes, found 32
+at 92: u4 4000 | has 1072 bytes, its samples begin at 5024
+at 92: u4 4294967295 | has an extended header of -1 bytes
+at 196: f4 nan | its origin is further than 1e+30 away: --origin X,Y,Z gives it
+at 88: u4 401 && at 36: u4 2 | has 2 times: --time N chooses one, counted from 1
+[inr]
+first 9999 | ok
+but 1 | data is too short: 2 x 3 x 4 int16 samples need 48 bytes, found 47
++ x | data is too long: 2 x 3 x 4 int16 samples need 48 bytes, found 49
+##} -> ### | its header has no end, '##}'
+XDIM=2 -> XDIM=-2 | -2 samples along x: dimensions must be positive
+XDIM=2 -> XDIM=two | key 'XDIM' is 'two': not an integer
+XDIM=2\n ->  | the header has no key 'XDIM'
+VDIM=1 -> VDIM=3 | has 3 channels: --channel N chooses one, counted from 1
+signed fixed -> packed | sample type 'packed16' is not supported...
+signed fixed -> float | sample type 'float16' is not supported...
+16 bits -> 12 bits | sample type 'int12' is not supported...
+2**0 -> 2**-8 | key 'SCALE' is '2**-8': only 2**0 is supported
+decm -> vax | key 'CPU' is 'vax': not decm, alpha, pc, sun or sgi
+VY= -> VY=x | key 'VY' is 'x1': not 1 numbers
+VY= -> VY=- | spacing along y is not positive: --spacing SX,SY,SZ gives it
+TZ= -> TZ=nan\n | its origin is further than 1e+30 away: --origin X,Y,Z gives it
 [npy]
 first 9999 | ok
 |u1 -> <f4 | ...need 32 bytes, found 8
@@ -346,6 +387,8 @@ std::map<std::string, std::string> sound_files() {
       {"vti raw", vti_of({})},
       {"vti binary", vti_of({"binary", "", std::endian::little, 4, 0})},
       {"vti blocks", vti_of({"appended", "raw", std::endian::little, 4, 20})},
+      {"mrc", mrc(truth(SampleType::i16), std::endian::little)},
+      {"inr", inr(truth(SampleType::i16), std::endian::little)},
       {"npy", npy("|u1", false, "2, 2, 2", std::string(8, 'x'))},
       {"npy many", npy("|u1", false, ones + "2, 2, 2", std::string(8, 'x'))},
       {"ply",

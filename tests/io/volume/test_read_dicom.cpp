@@ -881,6 +881,20 @@ TEST_CASE("a picture in color, or one slice that is a mosaic, is told before wha
   mosaic[0x00080008] = {"CS", "ORIGINAL\\PRIMARY\\MOSAIC"};
   CHECK(read_message(folder.write("v.dcm", dicom_file({}, mosaic)))
             .starts_with("v.dcm: is a mosaic, as Siemens writes it"));
+  // It was read as a volume of mosaics, one for each time.
+  DicomElements grid = dicom_image(truth, {}, 0, 1);
+  const auto message = [&](const char* owner, const char* slices) {
+    grid[0x00650010] = {"LO", owner};
+    grid[0x00651050] = {"DS", slices};
+    return read_message(folder.write("v.dcm", dicom_file({}, grid)));
+  };
+  CHECK(message("Image Private Header", "20") ==
+        "v.dcm: is a mosaic, as United Imaging writes it: all slices in one picture. Convert the "
+        "series with 'dcm2niix -o . FOLDER'");
+  for (const auto& [owner, slices] :
+       {std::pair{"Image Private Header", "1"}, {"Image Private Header", ""}, {"Another", "20"}}) {
+    CHECK(message(owner, slices).find("mosaic") == std::string::npos);
+  }
 }
 
 TEST_CASE("a file of several frames says where they are") {

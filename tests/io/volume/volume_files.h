@@ -281,6 +281,80 @@ inline std::vector<NamedFile> nifti(const Truth& t, const NiftiForm& form) {
   return {{"v.nii", file}};
 }
 
+// ---- MRC
+
+inline bool is_mrc_type(const Truth& t) {
+  return !t.is_wide && t.type != SampleType::u32 && t.type != SampleType::i32 &&
+         t.type != SampleType::f64;
+}
+
+// Returns the world's axis, from 0 on, that each axis of the file is along; its own, if one of them
+// is along none.
+inline std::array<std::size_t, 3> mrc_axes(const Truth& t) {
+  std::array<std::size_t, 3> along{};
+  for (std::size_t n = 0; n < 3; ++n) {
+    while (along[n] < 3 && t.axes[n][static_cast<int>(along[n])] != 1) ++along[n];
+    if (along[n] == 3) return {0, 1, 2};
+  }
+  return along;
+}
+
+// The cell has one interval more than there are samples along its axis.
+inline std::string mrc_header(const Truth& t, std::endian order, std::size_t extended) {
+  std::string h(1024, '\0');
+  const auto put = [&](std::size_t at, std::uint64_t value) {
+    h.replace(at, 4, ordered(value, 4, order));
+  };
+  const auto put_real = [&](std::size_t at, double value) {
+    put(at, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+  };
+  const auto along = mrc_axes(t);
+  for (std::size_t n = 0; n < 3; ++n) {
+    const int axis = static_cast<int>(n), intervals = t.dims[axis] + 1;
+    put(4 * n, static_cast<std::uint64_t>(t.dims[axis]));
+    if (t.origin != Vec3{0, 0, 0}) put(16 + 4 * n, 7);  // of no effect beside an origin
+    put(28 + 4 * along[n], static_cast<std::uint64_t>(intervals));
+    put_real(40 + 4 * along[n], intervals * t.spacing[axis]);
+    put_real(52 + 4 * n, 90);
+    put(64 + 4 * n, along[n] + 1);
+    put_real(196 + 4 * n, t.origin[axis]);
+  }
+  const int modes[] = {0, 0, 6, 1, -1, -1, 2};
+  put(12, static_cast<std::uint64_t>(modes[t.type_index()]));
+  put(88, 1);
+  put(92, extended);
+  if (t.type == SampleType::u8) put(152, 1146047817);  // IMOD's stamp: bytes have no sign
+  h.replace(208, 4, "MAP ");
+  if (extended == 0) h.replace(212, 2, order == std::endian::little ? "\x44\x44" : "\x11\x11");
+  return h;
+}
+
+inline std::string mrc(const Truth& t, std::endian order, std::size_t extended = 0) {
+  return mrc_header(t, order, extended) + std::string(extended, 'x') + t.in_order(order);
+}
+
+// ---- INRIMAGE (no axes)
+
+inline std::string inr(const Truth& t, std::endian order, int blocks = 1) {
+  const std::string kind = t.is_real() ? "float"
+                           : t.is_wide || t.type == SampleType::i8 || t.type == SampleType::i16 ||
+                                   t.type == SampleType::i32
+                               ? "signed fixed"
+                               : "unsigned fixed";
+  std::string h = "#INRIMAGE-4#{\nXDIM=" + to_text(t.dims.i) + "\nYDIM=" + to_text(t.dims.j) +
+                  "\nZDIM=" + to_text(t.dims.k) + "\nVDIM=" + to_text(t.channels) +
+                  "\nTYPE=" + kind + "\nPIXSIZE=" + to_text(8 * size_of(t.type)) +
+                  " bits\nSCALE=2**0\nCPU=";
+  h += order == std::endian::little ? (blocks == 1 ? "decm" : "pc") : (blocks == 1 ? "sun" : "sgi");
+  h += "\nVX=" + to_text(t.spacing.x) + "\nVY=" + to_text(t.spacing.y) +
+       "\nVZ=" + to_text(t.spacing.z);
+  h +=
+      "\nTX=" + to_text(t.origin.x) + "\nTY=" + to_text(t.origin.y) + "\nTZ=" + to_text(t.origin.z);
+  h += "\n#GEOMETRY=CARTESIAN";
+  h.resize(256 * static_cast<std::size_t>(blocks) - 4, '\n');
+  return h + "##}\n" + t.in_order(order);
+}
+
 // ---- VTK legacy (no axes)
 
 inline std::vector<NamedFile> vtk(const Truth& t, bool binary, bool field) {
@@ -857,6 +931,20 @@ inline std::vector<StoredVolume> all_forms(const Truth& t) {
         all.push_back({std::string("vti binary") + name(order),
                        vti(t, {"binary", "", order, header, block})});
       }
+    }
+    for (const std::size_t extended : {0, 160}) {
+      if (!is_mrc_type(t)) continue;
+      const std::string file = mrc(t, order, extended);
+      const bool has_axes = mrc_axes(t) != std::array<std::size_t, 3>{0, 1, 2} ||
+                            t.axes == std::array{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+      all.push_back({"mrc" + std::string(name(order)), {{"v.mrc", file}}, has_axes});
+      all.push_back({"mrc gzip", {{"v.map.gz", gzipped(file, t.seed)}}, has_axes});
+    }
+    for (const int blocks : {1, 2}) {
+      const std::string file = inr(t, order, blocks);
+      const bool has_axes = t.axes == std::array{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+      all.push_back({"inr" + std::string(name(order)), {{"v.inr", file}}, has_axes});
+      all.push_back({"inr gzip", {{"v.inr.gz", gzipped(file, t.seed)}}, has_axes});
     }
     ReadOptions raw;
     raw.raw = RawLayout{t.dims, t.type, order, 4};
