@@ -78,6 +78,24 @@ TEST_CASE("free vertices halve the mean distance of a coarse sphere") {
   CHECK(mean_distance(scene, stage.mesh) < 0.5 * before);
 }
 
+TEST_CASE("vertices on the box stay, those beside them move") {
+  const Scene scene = builtin_scene("gyroid", 16);
+  Stage stage(scene, {}, true);
+  stage.r.parameters.refinement[Criterion::distance] = kNotAsked;
+  merge_vertices(stage.r, used_vertices(stage.mesh) / 3);
+  const std::vector<Vec3> before(stage.mesh.points.begin(), stage.mesh.points.end());
+  free_vertices(stage.r, scene.volume.voxel());
+  std::size_t moved = 0, on_box = 0;
+  for (VertexId v = 0; v < before.size(); ++v) {
+    const bool is_on_box = stage.r.s.chain.is_boundary(v);
+    on_box += is_on_box;
+    moved += before[v] != stage.mesh.points[v];
+    if (is_on_box) CHECK(before[v] == stage.mesh.points[v]);
+  }
+  CHECK(on_box > 10);
+  CHECK(moved > 10);
+}
+
 // What lies in a plane is as near as can be.
 TEST_CASE("vertices in a plane stay") {
   std::vector<float> samples;
