@@ -145,7 +145,8 @@ VerifyOptions verify_options(const CommandLine& line, const Grid& volume,
       line.command == Command::check ? line.verify.given : CheckChoice::Given{};
   options.require_distance = given.limits[Criterion::distance];
   const bool by_note = noted && !(line.command == Command::check && line.paper);
-  // Ours have every vertex on the surface, at any distance.
+  // Ours have every vertex on the surface, at any distance, but with --free-vertices.
+  if (by_note) options.allowed_off_surface = noted->free_vertices * volume.voxel();
   if (options.require_distance && !noted) {
     options.allowed_off_surface = options.limits[Criterion::distance];
   }
@@ -181,7 +182,7 @@ std::string verification_text(const Verification& v, const Grid& volume) {
   out += text("\nvertices  on the surface within ", rounded(v.tolerance / voxel), " voxels");
   if (v.off_as_allowed > 0) {
     out += text(", but ", v.off_as_allowed, " up to ", rounded(v.max_off_surface / voxel),
-                " voxels off, as --max-distance allows");
+                " voxels off, as allowed");
   }
   out += text("\n", delaunay_text(v.delaunay));
   if (v.voronoi) out += voronoi_text(*v.voronoi);

@@ -313,7 +313,7 @@ constexpr Exclusion kExclusions[] = {
     {"--vertices", "--triangles --max-distance --stop-after --max-vertices", ""},
     {"--triangles", "--max-distance --stop-after --max-vertices", ""},
     {"--certified", "--facet-cycles", ": its sites are no points of Voronoi edges"},
-    {"--shared", "--check --attributes --largest --min-component", ""},
+    {"--shared", "--check --attributes --largest --min-component --free-vertices", ""},
     {"--part", "--vertices --triangles", ""},
     {"--part", "--float --double --ply-ascii --format --attributes --check --json",
      ": give it to deliso join"}};
@@ -337,6 +337,8 @@ void check_exclusions(const CommandLine& line, const Given& given) {
     }
   }
   if (line.command == Command::check) return;
+  refuse_if(given("--free-vertices") && !by_count(line.options),
+            "--free-vertices needs --vertices or --triangles");
   for (const std::string_view option : kOnlyPaper) {
     refuse_if(given(option) && !line.paper, option,
               " belongs to --paper, the algorithm as published");

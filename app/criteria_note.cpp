@@ -14,12 +14,13 @@
 namespace deliso {
 namespace {
 
-constexpr std::string_view kRMin = "r-min";
+constexpr std::string_view kRMin = "r-min", kFree = "free-vertices";
 constexpr std::string_view kProgram = "deliso";
 
 // Returns the number in `criteria` that a word of that name sets; null if the name is unknown.
 double* place_of(Criteria& criteria, std::string_view name) {
   if (name == kRMin) return &criteria.r_min;
+  if (name == kFree) return &criteria.free_vertices;
   const auto row = std::ranges::find(kCriterionTable, name, &CriterionRow::name);
   if (row == kCriterionTable.end()) return nullptr;
   return &criteria.limits.values[static_cast<std::size_t>(row - kCriterionTable.begin())];
@@ -52,6 +53,7 @@ std::string criteria_note(const Criteria& criteria) {
     const double limit = criteria.limits.values[n];
     if (limit < kNotAsked) line += text(" ", kCriterionTable[n].name, "=", limit);
   }
+  if (criteria.free_vertices > 0) line += text(" ", kFree, "=", criteria.free_vertices);
   return line;
 }
 
@@ -75,6 +77,7 @@ std::string criteria_note(const CommandLine& line, const Grid& volume) {
   };
   Criteria criteria;
   criteria.r_min = in_voxels(options.r_min);
+  criteria.free_vertices = in_voxels(options.free_vertices);
   for (std::size_t n = 0; n < kCriteria; ++n) {
     const Length& limit = options.limits.values[n];
     criteria.limits.values[n] = kCriterionTable[n].is_length ? in_voxels(limit) : limit.value;

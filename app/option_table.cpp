@@ -223,6 +223,12 @@ constexpr OptionSpec kRest[] = {
      [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 4); }},
     {"--triangles", 0, "N", kMeshAndTrace, "the same, of N triangles; --cap adds those of the caps",
      [](Line& l, Text o, Text v) { l.options.target_triangles = parse_count(o, v, 4); }},
+    {"--free-vertices", 0, "X|Xvox", kMeshAndTrace,
+     "with --vertices or --triangles: vertices may be X off the surface, so that triangles are "
+     "nearer to it in the mean",
+     [](Line& l, Text o, Text v) {
+       l.options.free_vertices = parse_length(o, v, Length::Unit::world);
+     }},
     {"--paper", 0, "", kAllMeshing,
      "the algorithm as published, by itself: --eps1 0.1 --eps2 0.2 --rmin 0.001 and no "
      "--max-distance; it can lose what no Voronoi edge meets, and need not end",

@@ -61,6 +61,10 @@ void add_options(ReportWriter& out, const CommandLine& line) {
   out.optional(options.target_triangles != Options::kNoTarget)
       .add("triangles", options.target_triangles,
            "with --triangles: how many are wanted, caps left out");
+  if (out.if_any(options.free_vertices.value > 0)) {
+    add_length(out, "free_vertices", options.free_vertices,
+               "how far vertices may be off the surface");
+  }
   out.add("min_component", options.components.min_voxels,
           "smaller components are left out; voxels");
   out.add("largest", options.components.largest, "only this many components, the largest; 0: all");

@@ -10,6 +10,7 @@
 
 #include "base/stopwatch.h"
 #include "base/triangle.h"
+#include "more/counts/free_vertices.h"
 #include "more/counts/orientation.h"
 #include "more/counts/unrefined.h"
 #include "refine/coverage.h"
@@ -204,7 +205,7 @@ class Merging {
       }
       const MergeShape after = shape_after_merge(r_, star_, v, to);
       std::optional<Refusal> refusal;
-      if (orientation_.reverses(star_, v, to)) {
+      if (orientation_.reverses(star_, v, r_.point(to))) {
         refusal = Refusal::turned;
       } else if (ask_ == Ask::shape && !is_good(after.ratio2)) {
         refusal = Refusal::no_gain;
@@ -241,7 +242,8 @@ class Merging {
     gates.surface_points = ask_ != Ask::topology;
     const auto stays = [&](const Replacement& c) -> std::optional<Refusal> {
       // Asked before the first dual.
-      if (!c.duals.empty() || !orientation_.passes_component(c.cavity.disk, from, to)) return {};
+      if (!c.duals.empty() || !orientation_.passes_component(c.cavity.disk, from, r_.point(to)))
+        return {};
       return Refusal::passes_component;
     };
     if (const auto refusal = merge_corner(r_, facet_[from], from, to, gates, stays)) return refusal;
@@ -310,6 +312,8 @@ void merge_to_count(SurfaceMesh& mesh, std::span<const Vec3> samples, const Opti
   parameters.refinement[Criterion::distance] = kNotAsked;
   Refinement r(mesh, {given.surface, given.curves, parameters, given.report});
   merge_vertices(r, options.target_vertices, options.target_triangles);
+  const double free = options.free_vertices.in(given.surface.volume());
+  if (free > 0) free_vertices(r, free);
   separate(r, IdArray<VertexId, std::uint8_t>(mesh.mesh.points.size(), 1));
   count_unrefined(mesh, parameters, given.report);
   given.report.max_distance = furthest_distance(mesh.mesh, r.facets(), samples, parameters.voxel);

@@ -83,18 +83,17 @@ void Orientation::add_loop(VertexId start) {
   loop.axis = axis;
 }
 
-// The facets at `from` that do not have `to`, each with `to`, are tetrahedra that cover what is
-// swept.
-bool Orientation::passes_component(const Disk& star, VertexId from, VertexId to) const {
+// The facets at `from`, each with `to`, are tetrahedra that cover what is swept.
+bool Orientation::passes_component(const Disk& star, VertexId from, const Vec3& to) const {
   if (components_.size() < 2) return false;
   std::vector<Vec3> points;
   for (const VertexId v : star.vertices()) points.push_back(r_.point(v));
+  points.push_back(to);
   return vertices_.any<std::uint32_t>(
       vertices_.box_of(points), [&](std::uint32_t n, const BoxGrid::Box&) {
         if (component_[from] == n) return false;
         return std::ranges::any_of(star.facets, [&](const Triangle& v) {
-          return !has_corner(v, to) &&
-                 is_in_tetrahedron({r_.point(v[0]), r_.point(v[1]), r_.point(v[2]), r_.point(to)},
+          return is_in_tetrahedron({r_.point(v[0]), r_.point(v[1]), r_.point(v[2]), to},
                                    r_.point(components_[n].vertex));
         });
       });
@@ -109,7 +108,7 @@ void Orientation::merged(VertexId from, VertexId to) {
   vertices_.add(n, vertices_.box_of(r_.point(to)));
 }
 
-bool Orientation::reverses(std::span<const FaceId> star, VertexId from, VertexId to) {
+bool Orientation::reverses(std::span<const FaceId> star, VertexId from, const Vec3& to) {
   const BoundaryChain& chain = r_.s.chain;
   sum_ = nullptr;
   change_ = 0;
@@ -124,11 +123,10 @@ bool Orientation::reverses(std::span<const FaceId> star, VertexId from, VertexId
     if (!c.is_closed) return false;
     sum_ = &c.volume;
     for (const FaceId f : star) {
-      Triangle v = r_.mesh.faces[f].v;
+      const Triangle& v = r_.mesh.faces[f].v;
+      const auto after = [&](VertexId u) { return u == from ? to : r_.point(u); };
+      change_ += sixfold_volume(c.origin, after(v[0]), after(v[1]), after(v[2]));
       change_ -= volume_from(c.origin, v);
-      if (has_corner(v, to)) continue;
-      std::ranges::replace(v, from, to);
-      change_ += volume_from(c.origin, v);
     }
   }
   return *sum_ != 0 && !(*sum_ * (*sum_ + change_) > 0);

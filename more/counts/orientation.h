@@ -25,11 +25,12 @@ class Orientation {
  public:
   explicit Orientation(const Refinement& r);
 
-  // True if a merge of `from`, with this star, into `to` changes a sign.
-  bool reverses(std::span<const FaceId> star, VertexId from, VertexId to);
-  // True if a merge of `from`, with this star, into `to` sweeps over another component.
-  bool passes_component(const Disk& star, VertexId from, VertexId to) const;
-  // pre: this merge was the last one asked, and was done.
+  // True if a merge of `from`, with this star, into a vertex at `to` changes a sign, or its move
+  // there, if it is not on the boundary.
+  bool reverses(std::span<const FaceId> star, VertexId from, const Vec3& to);
+  // True if such a merge or move sweeps over another component.
+  bool passes_component(const Disk& star, VertexId from, const Vec3& to) const;
+  // pre: this merge was the last one asked, and was done; of a move `to` is `from`.
   void merged(VertexId from, VertexId to);
 
  private:

@@ -7,8 +7,8 @@
 // The mesh of Stage 1 is a manifold, homeomorphic to Sigma, embedded, with its vertices on Sigma.
 // Every replacement keeps that, because it passes these tests, the gates, from cheap to expensive:
 // Refinement::make() asks them. A proposal may do without some (Gates in refine/proposal.h), but
-// never without G0, G1 and the crossings of G5. Only moves of refine/separate.h take vertices off
-// Sigma.
+// never without G0, G1 and the crossings of G5. Only moves of refine/separate.h, and where asked of
+// more/counts/free_vertices.h, take vertices off Sigma.
 //   G0  No frozen facet is removed. A vertex comes or moves only to places in the free box, and to
 //       no face of the box but those of its chain (S3). The free box is a block without its inner
 //       faces (FreeBox::within). Where a part of a mesh is refined (blocks/seams.h), it is the

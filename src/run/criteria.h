@@ -69,8 +69,9 @@ struct Criteria {
     none[Criterion::r_over_l] = row_of(Criterion::r_over_l).usual;
     return none;
   }();
-  double r_min = 0;        // up to it a facet can violate criteria of shape only
-  double shape_floor = 0;  // smaller ones are not refined for shape either
+  double r_min = 0;          // up to it a facet can violate criteria of shape only
+  double shape_floor = 0;    // smaller ones are not refined for shape either
+  double free_vertices = 0;  // how far vertices may be off Sigma
 
   double& operator[](Criterion c) { return limits[c]; }
   double operator[](Criterion c) const { return limits[c]; }

@@ -42,6 +42,9 @@ struct Options : RunSettings {
   std::size_t target_vertices = kNoTarget, target_triangles = kNoTarget;
   bool has_target() const { return target_vertices != kNoTarget || target_triangles != kNoTarget; }
 
+  // How far vertices may then be off Sigma (more/counts/free_vertices.h).
+  Length free_vertices;
+
   bool stop_after_stage1 = false;  // the mesh is the coarsened contour
   bool cap = false;                // close the mesh on the box (more/cap/close_on_box.h)
 

@@ -560,6 +560,7 @@ TEST_CASE("each command line that is refused has its message") {
       {"a --iso 1 -o mesh.off --ply-ascii", "..."},
       {"a --iso 1 --float --double", "..."},
       {"a --iso 1 --vertices 9 --triangles 9", "--vertices and --triangles exclude each other"},
+      {"a --iso 1 --free-vertices 1", "--free-vertices needs --vertices or --triangles"},
       {"a --iso 1 --attributes", "--attributes needs PLY, VTP or GLB output"},
       {"a --iso 1 --zoom 2", "--zoom has no meaning for deliso mesh"},
       {"info a --lambda 2", "--lambda has no meaning for deliso info"},

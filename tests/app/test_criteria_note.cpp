@@ -67,6 +67,8 @@ TEST_CASE("the line of a run has lengths in voxels for options in any unit") {
   CHECK(note(" --paper") == words(" r-min=0.004 lambda=2 eps1=0.1 eps2=0.2"));
   // The distance is a result, and no limit to check against.
   CHECK(note(" --vertices 100") == words(" r-min=0.25 lambda=2"));
+  CHECK(note(" --vertices 100 --free-vertices 1vox") ==
+        words(" r-min=0.25 lambda=2 free-vertices=1"));
   CHECK(note(" --stop-after stage1") == words(" stop-after=stage1"));
   CHECK_FALSE(read(note(" --stop-after stage1")));
 }
@@ -83,6 +85,7 @@ TEST_CASE("criteria are read back to the last bit") {
         criteria.limits.values[n] = kCriterionTable[n].least + any();
       }
     }
+    if (seed % 2 == 0) criteria.free_vertices = any();
     const std::vector<std::string> comments = {"DelIso SPACE=RAS", "", criteria_note(criteria),
                                                words(" r-min=7 lambda=7")};
     CHECK(noted_criteria(comments) == criteria);
@@ -160,4 +163,10 @@ TEST_CASE("a check uses the file's criteria, except those given as options") {
   CHECK(by_mesh.limits == options(" --max-distance 0.25 --rmin 2vox --lambda 2", false).limits);
   CHECK(by_mesh.most_over_limit == options("").most_over_limit);
   CHECK_FALSE(by_mesh.require_distance);
+  // No vertex is excused but by --free-vertices.
+  CHECK(by_mesh.allowed_off_surface == 0);
+  const CommandLine free = parsed("a --iso 1 --check --vertices 9 --free-vertices 0.5vox");
+  const std::vector<std::string> said{criteria_note(free, volume)};
+  CHECK(verify_options(free, volume, noted_criteria(said)).allowed_off_surface ==
+        0.5 * volume.voxel());
 }

@@ -78,7 +78,7 @@ std::vector<JsonValue> all_reports() {
   std::vector<JsonValue> all;
   for (const std::string& line : {field + " --check -o " + mesh,
                                   field + " --cap --check",
-                                  field + " --vertices 300",
+                                  field + " --vertices 300 --free-vertices 0.5vox",
                                   field + " --paper",
                                   field + " --max-radius 3 --eps1 0.2",
                                   field + " --stop-after stage1",

@@ -176,6 +176,8 @@ class Stage {
   double off_isovalue(const Vec3& p) const {
     return std::abs(scene.volume.value(p) - scene.surface.kappa());
   }
+  // From now on a vertex off Sigma is no fault.
+  void allow_off_surface() { tolerance_ = kNotAsked; }
   // The first thing wrong with the mesh as it is now, and how to see it; empty when all is well.
   std::string fault() const {
     SurfaceMesh live = surface_mesh;

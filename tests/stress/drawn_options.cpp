@@ -153,6 +153,13 @@ constexpr DrawnOption kDrawn[] = {
      [](Random& r, auto&) { return r.below(2) > 0 ? Words{"--coordinates"} : Words{}; }, kBeside},
     {"--inside", [](Random&, auto&) { return Words{"--inside=below"}; },
      kBeside | kOtherField | kNotLabels},
+    {"--free-vertices",  // it needs a number
+     [](Random& r, auto&) {
+       if (r.below(4) > 0) return Words{};
+       return Words{"--free-vertices=" + number(r, 0.01, 2) + "vox",
+                    "--triangles=" + whole(r, 8, 4000)};
+     },
+     kBeside | kCoarser | kMoreVertices | kAlways | kNoParts | kNotPaper | kNotShared},
 };
 
 // Options about files, formats and reports; --iso is always given.
