@@ -15,7 +15,7 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kHeader = 1024;
+constexpr std::size_t kMrcHeader = 1024;
 
 // Where the header has its fields, by their names in the standard. Fields have four bytes, and
 // those for three axes follow each other.
@@ -89,8 +89,8 @@ bool looks_like_mrc(const Bytes& bytes) {
 }
 
 Volume read_mrc(const VolumeInput& input) {
-  const Bytes header = start_of(input.bytes, kHeader);
-  if (header.size() < kHeader) fail(input.name(), "ends within its header");
+  const Bytes header = start_of(input.bytes, kMrcHeader);
+  if (header.size() < kMrcHeader) fail(input.name(), "ends within its header");
   SampleGrid grid = grid_of(input);
   // Read in the wrong byte order, a number of columns is 65536 or more. The field for the order,
   // MACHST, is empty or wrong in files of some programs.
@@ -108,7 +108,7 @@ Volume read_mrc(const VolumeInput& input) {
   read_geometry(input, fields, grid);
   const auto extended = fields.get<std::int32_t>(kNsymbt);
   if (extended < 0) fail(input.name(), "has an extended header of ", extended, " bytes");
-  return volume_behind(grid, input.bytes, kHeader + static_cast<std::uint64_t>(extended));
+  return volume_behind(grid, input.bytes, kMrcHeader + static_cast<std::uint64_t>(extended));
 }
 
 }  // namespace deliso
