@@ -29,7 +29,7 @@ void advise_of_mask(const Input& input, Diagnostics& notes) {
   const double isovalue = *input.isovalue, middle = lo + (hi - lo) / 2;
   const bool is_middle = std::abs(isovalue - middle) <= (hi - lo) / 4;
   if (volume.sample_count() < kLeastMask || input.field.is_filtered() || is_middle ||
-      !(lo <= isovalue && isovalue <= hi)) {
+      !input.has_two_sides()) {
     return;
   }
   const bool is_mask = volume.visit([&](const auto* samples) {

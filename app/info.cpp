@@ -102,8 +102,7 @@ Input read_to_inform(const CommandLine& line) {
 }
 
 Info find_info(const Input& input, const CommandLine& line, Progress& progress) {
-  const Volume field = input.volume();
-  const Volume volume = input.field.is_mirrored ? all_of(mirrored(input.field.source)) : field;
+  const Volume field = input.volume(), volume = input.samples();
   progress.show("histogram", 0);
   const bool of_ids = !input.log.ids.empty() && !input.field.label;
   const ValueRange range = of_ids ? value_range(volume) : *input.range;

@@ -25,9 +25,16 @@ struct Input {
   // Of the field as it is meshed.
   double level() const { return field.mirrored(*isovalue); }
   ValueRange range_of_field() const { return field.mirrored(*range); }
+  // True if samples can be on both sides of the isovalue.
+  bool has_two_sides() const {
+    const ValueRange of = range_of_field();
+    return of.min < level() && level() <= of.max;
+  }
   const Grid& grid() const { return field.source.shape; }
   // Returns the field with its samples, which are read if they are not in memory.
   Volume volume() const { return all_of(field.source); }
+  // Returns the same as the user knows it, with --inside below too.
+  Volume samples() const { return field.is_mirrored ? all_of(mirrored(field.source)) : volume(); }
 };
 
 // Replaces the segments of --label by their labels, and chooses the channel that has them. Throws

@@ -42,11 +42,6 @@ Roi region_of_part(const CommandLine& line, const Grid& shape) {
   return {box.begin, {box.end.i + 1, box.end.j + 1, box.end.k + 1}};
 }
 
-FieldSource field_at(Field field, double isovalue) {
-  const double level = field.mirrored(isovalue);
-  return {std::move(field), level};
-}
-
 }  // namespace
 
 ReadOptions reading_of_part(const CommandLine& line) {
@@ -82,7 +77,8 @@ FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
       return samples;
     };
     if (field.is_mirrored) field.source = mirrored(field.source);
-    return field_at(std::move(field), *line.isovalue);
+    const double level = field.mirrored(*line.isovalue);
+    return {std::move(field), level};
   }
   const Grid& shape = raw.shape;
   const Index3 reach = reach_of(line.field, shape);
@@ -93,7 +89,8 @@ FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
                     value_range(around, name);
                     return samples_of(all_of(make_field(around, options, {}, name, 1).source), box);
                   }};
-  return field_at(std::move(field), *line.isovalue);
+  const double level = field.mirrored(*line.isovalue);  // by the type after the filters
+  return {std::move(field), level};
 }
 
 PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::string& name,

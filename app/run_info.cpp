@@ -27,8 +27,7 @@ Vec3 middle_of(const Info& info) {
 }
 
 void write_slices(const Info& info, const CommandLine& line) {
-  const Field& field = info.input.field;
-  const Volume volume = all_of(field.is_mirrored ? mirrored(field.source) : field.source);
+  const Volume volume = info.input.samples();
   const RenderOptions& picture = line.picture.render;
   SliceOptions options{.size = picture.size,
                        .through = picture.aim.look_at

@@ -48,11 +48,10 @@ constexpr double kManyVertices = 1e7, kMaxVertices = 2.5e8;
 // that fill the volume.
 void require_isovalue_in_range(const MeshRun& run) {
   const Input& input = run.input;
-  const ValueRange range = input.range_of_field();
-  const double level = input.level();
-  if (range.min < level && level <= range.max) return;
+  if (input.has_two_sides()) return;
+  const bool is_inside = input.level() <= input.range_of_field().min;
   const std::optional<LabelFacts>& label = input.field.label;
-  const bool is_full = label && level <= range.min;
+  const bool is_full = label && is_inside;
   if (is_full && run.line.options.cap) return;
   if (is_full) {
     throw InputError(
@@ -60,7 +59,7 @@ void require_isovalue_in_range(const MeshRun& run) {
         ", which fills the volume: --cap makes the block (--allow-empty accepts that)");
   }
   throw InputError(no_surface_text(*input.isovalue, *input.range), ", everything is ",
-                   level <= range.min ? "inside" : "outside", " (--allow-empty accepts that)");
+                   is_inside ? "inside" : "outside", " (--allow-empty accepts that)");
 }
 
 // Returns the facets from `begin` to `end`, with the same vertices.

@@ -41,6 +41,13 @@ inline Scene builtin_scene(const std::string& name, int size) {
   const std::string input = "builtin:" + name + ":" + std::to_string(size);
   return Scene(make_builtin_volume(input), find_builtin_field(input)->isovalue);
 }
+// A slab between two planes that are no faces of voxels.
+inline Scene slab_scene() {
+  return Scene(
+      sampled<float>({12, 12, 12}, {1, 1, 1},
+                     [](int i, int, int) { return 4 - std::abs(static_cast<float>(i) - 5.3f); }),
+      0.7);
+}
 
 // Smooth noise: a few random waves, cut by the box.
 inline Scene wave_scene(std::uint64_t seed, int size, Vec3 spacing = {1, 1, 1}) {

@@ -23,6 +23,8 @@ Sheets part_of(const Sheets& all, Region& region) {
     for (const std::uint32_t f : *facets) part.facets.push_back(all.facets[f]);
   }
   part.free_facets = region.free.size();
+  // By sorting: a table of all vertices, as number_vertices() wants it, is too large for each
+  // region.
   for (const SheetFacet& f : part.facets) {
     region.vertices.insert(region.vertices.end(), f.v.begin(), f.v.end());
   }

@@ -98,11 +98,7 @@ TEST_CASE("vertices on the box stay, those beside them move") {
 
 // What lies in a plane is as near as can be.
 TEST_CASE("vertices in a plane stay") {
-  std::vector<float> samples;
-  for (int n = 0; n < 12 * 12 * 12; ++n) {
-    samples.push_back(4 - std::abs(static_cast<float>(n % 12) - 5.3f));
-  }
-  const Scene scene(Volume::from_samples({12, 12, 12}, {1, 1, 1}, samples), 0.7);
+  const Scene scene = slab_scene();
   Stage stage(scene, {}, true);
   stage.r.parameters.refinement[Criterion::distance] = kNotAsked;
   merge_vertices(stage.r, used_vertices(stage.mesh) / 4);

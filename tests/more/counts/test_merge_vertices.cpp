@@ -184,13 +184,9 @@ TEST_CASE("spheres are coarsened to tetrahedra") {
   }
 }
 
-// A slab between two planes that are no faces of voxels: no vertex within a plane is needed.
+// No vertex within a plane is needed.
 TEST_CASE("what lies in a plane goes first") {
-  std::vector<float> samples;
-  for (int n = 0; n < 12 * 12 * 12; ++n) {
-    samples.push_back(4 - std::abs(static_cast<float>(n % 12) - 5.3f));
-  }
-  const Scene scene(Volume::from_samples({12, 12, 12}, {1, 1, 1}, samples), 0.7);
+  const Scene scene = slab_scene();
   Stage stage(scene, {}, true);
   stage.r.parameters.refinement[Criterion::distance] = kNotAsked;
   merge_vertices(stage.r, 0);
