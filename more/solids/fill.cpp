@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "more/solids/fill.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "delaunay/hilbert.h"
+#include "exact/predicates.h"
+#include "more/solids/moves.h"
+#include "more/solids/quality.h"
+
+namespace deliso {
+namespace {
+
+constexpr RegionId kUnknown = 0xffffffffu;
+constexpr double kLeastShape = .02;  // of the cells that an insertion makes
+
+class Insertion {
+ public:
+  explicit Insertion(CellMesh& mesh) : mesh_(mesh) {}
+
+  // Returns the new vertex or kNoId.
+  VertexId insert(const Vec3& p) {
+    if (hint_ == kNoId || !mesh_.is_live(hint_)) find_hint();
+    const CellId start = locate(p);
+    if (start == kNoId) return kNoId;
+    hint_ = start;
+    if (mesh_.region(start) == kOutside) return kNoId;
+    find_zone(p, start);
+    if (!cut_down(p, start)) return kNoId;
+    const VertexId x = star_from(mesh_, p, zone_, kLeastShape);
+    if (x != kNoId) hint_ = mesh_.last_created().back();
+    return x;
+  }
+
+ private:
+  static constexpr int kMostSteps = 10000;
+
+  void find_hint() {
+    hint_ = 0;
+    while (!mesh_.is_live(hint_)) ++hint_;
+  }
+
+  // Returns the cell that holds p, by a walk from the last one; kNoId outside the mesh. Cells that
+  // are not Delaunay may lead it in a circle, so where it begins to look changes at each step.
+  CellId locate(const Vec3& p) const {
+    CellId c = hint_;
+    for (int step = 0; step < kMostSteps; ++step) {
+      const Corners& v = mesh_.corners(c);
+      CellId next = c;
+      for (int k = 0; k < 4 && next == c; ++k) {
+        const int i = (k + step * 7 / 3) % 4;
+        const auto& f = kFacetVertices[i];
+        const auto& at = mesh_.points;
+        if (orient3d(at[v[f[0]]], at[v[f[1]]], at[v[f[2]]], p) > 0) next = mesh_.neighbor(c, i);
+      }
+      if (next == c || next == kNoId) return next;
+      c = next;
+    }
+    return kNoId;
+  }
+
+  bool is_in_zone(CellId c) const { return std::ranges::find(zone_, c) != zone_.end(); }
+
+  void find_zone(const Vec3& p, CellId start) {
+    zone_.assign(1, start);
+    for (std::size_t k = 0; k < zone_.size(); ++k) {
+      for (int i = 0; i < 4; ++i) {
+        const CellId n = mesh_.neighbor(zone_[k], i);
+        if (n == kNoId || mesh_.is_wall({zone_[k], i}) || is_in_zone(n)) continue;
+        const Corners& v = mesh_.corners(n);
+        const auto& at = mesh_.points;
+        if (insphere(at[v[0]], at[v[1]], at[v[2]], at[v[3]], p) > 0) zone_.push_back(n);
+      }
+    }
+  }
+
+  // Takes cells out of the zone until each facet of its boundary makes a good cell, and what is
+  // then not connected to the cell that holds p. Returns whether that cell is left.
+  bool cut_down(const Vec3& p, CellId start) {
+    for (std::size_t k = 0; k < zone_.size();) {
+      if (is_good(p, zone_[k])) {
+        ++k;
+        continue;
+      }
+      if (zone_[k] == start) return false;
+      zone_.erase(zone_.begin() + static_cast<std::ptrdiff_t>(k));
+      keep_connected(start);
+      k = 0;
+    }
+    return true;
+  }
+
+  bool is_good(const Vec3& p, CellId c) const {
+    for (int i = 0; i < 4; ++i) {
+      const CellId n = mesh_.neighbor(c, i);
+      if (n != kNoId && !mesh_.is_wall({c, i}) && is_in_zone(n)) continue;
+      Corners v = mesh_.corners(c);
+      const auto& at = mesh_.points;
+      std::array<Vec3, 4> q{at[v[0]], at[v[1]], at[v[2]], at[v[3]]};
+      q[i] = p;
+      if (shape(q[0], q[1], q[2], q[3]) <= kLeastShape) return false;
+    }
+    return true;
+  }
+
+  void keep_connected(CellId start) {
+    std::vector<CellId> all;
+    std::swap(all, zone_);
+    zone_.assign(1, start);
+    for (std::size_t k = 0; k < zone_.size(); ++k) {
+      for (int i = 0; i < 4; ++i) {
+        const CellId n = mesh_.neighbor(zone_[k], i);
+        if (n == kNoId || mesh_.is_wall({zone_[k], i}) || is_in_zone(n)) continue;
+        if (std::ranges::find(all, n) != all.end()) zone_.push_back(n);
+      }
+    }
+  }
+
+  CellMesh& mesh_;
+  CellId hint_ = kNoId;
+  std::vector<CellId> zone_;
+};
+
+}  // namespace
+
+bool set_regions(CellMesh& mesh, std::span<const Wall> walls) {
+  for (CellId c = 0; c < mesh.cell_capacity(); ++c) mesh.set_region(c, kUnknown);
+  std::vector<CellId> queue;
+  bool agree = true;
+  const auto reach = [&](CellId c, RegionId region) {
+    if (c == kNoId) {
+      agree &= region == kOutside;
+    } else if (mesh.region(c) == kUnknown) {
+      mesh.set_region(c, region);
+      queue.push_back(c);
+    } else {
+      agree &= mesh.region(c) == region;
+    }
+  };
+  for (const Wall& wall : walls) {
+    const CellId c = mesh.cell_with(wall.v[0], wall.v[1], wall.v[2]);
+    if (c == kNoId) return false;
+    int i = 0;
+    while (wall.v[0] == mesh.corners(c)[i] || wall.v[1] == mesh.corners(c)[i] ||
+           wall.v[2] == mesh.corners(c)[i])
+      ++i;
+    const auto& at = mesh.points;
+    // A wall is counter-clockwise seen from in front.
+    const bool is_in_front = orient3d(at[wall.v[0]], at[wall.v[1]], at[wall.v[2]],
+                                      at[mesh.corners(c)[i]]) > 0;
+    reach(c, is_in_front ? wall.front : wall.behind);
+    reach(mesh.neighbor(c, i), is_in_front ? wall.behind : wall.front);
+    while (!queue.empty()) {
+      const CellId from = queue.back();
+      queue.pop_back();
+      for (int k = 0; k < 4; ++k) {
+        if (mesh.neighbor(from, k) != kNoId && !mesh.is_wall({from, k}))
+          reach(mesh.neighbor(from, k), mesh.region(from));
+      }
+    }
+  }
+  return agree;
+}
+
+std::size_t insert_points(CellMesh& mesh, std::span<const Vec3> points) {
+  Insertion insertion(mesh);
+  std::size_t inserted = 0;
+  for (std::uint32_t k : biased_hilbert_order(points)) {
+    if (insertion.insert(points[k]) != kNoId) ++inserted;
+  }
+  return inserted;
+}
+
+}  // namespace deliso

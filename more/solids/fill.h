@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The inside of a skin that a mesh has as walls: which cells are in which region, and points in it.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "more/solids/cell_mesh.h"
+#include "more/solids/skin.h"
+
+namespace deliso {
+
+// Sets the regions of all cells: what lies on a side of a wall is said by the walls. Returns
+// whether they agree.
+bool set_regions(CellMesh& mesh, std::span<const Wall> walls);
+
+// Inserts points by Bowyer's and Watson's way, with zones that end at walls and are cut down until
+// each facet of them makes a cell of a shape over a floor. Those outside, or without such a zone,
+// are left. Returns how many were inserted.
+std::size_t insert_points(CellMesh& mesh, std::span<const Vec3> points);
+
+}  // namespace deliso

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "more/solids/lattice.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <unordered_set>
+
+#include "base/box3.h"
+#include "base/check.h"
+
+namespace deliso {
+namespace {
+
+// A cube has at most this many times the wanted length as its side. The nearest points of the
+// lattice are .87 sides apart, and sides halve: so edges have .7 to 1.4 of that length.
+constexpr double kSide = 1.6;
+// A point is at least this share of the edges there from the surface.
+constexpr double kClearance = .55;
+constexpr int kMostLevels = 20;
+
+class Octree {
+ public:
+  Octree(const Box3& box, const LatticeOptions& options)
+      : options_(options),
+        side_(std::max({box.size().x, box.size().y, box.size().z})),
+        origin_(box.middle() - .5 * Vec3{side_, side_, side_}) {}
+
+  // Divides the cube at `corner`, in cubes of the deepest level. `near` holds the points that may
+  // decide a length in it.
+  void divide(const std::array<std::uint32_t, 3>& corner, int level,
+              std::span<const SizedPoint> near) {
+    const std::uint32_t cells = 1u << (kMostLevels - level);
+    const double side = cells * (side_ / (1u << kMostLevels));
+    const Vec3 middle = place(corner, .5 * cells);
+    const double length = wanted_length(middle, near);
+    if (level == kMostLevels || side <= kSide * length) {
+      add(middle, side, near);
+      for (int k = 0; k < 8; ++k) {
+        const std::array<std::uint32_t, 3> at{corner[0] + (k & 1) * cells,
+                                              corner[1] + (k >> 1 & 1) * cells,
+                                              corner[2] + (k >> 2) * cells};
+        if (corners_.insert(key(at)).second) add(place(at, 0), side, near);
+      }
+      return;
+    }
+    std::vector<SizedPoint> kept;
+    for (int k = 0; k < 8; ++k) {
+      const std::uint32_t half = cells / 2;
+      const std::array<std::uint32_t, 3> at{corner[0] + (k & 1) * half,
+                                            corner[1] + (k >> 1 & 1) * half,
+                                            corner[2] + (k >> 2) * half};
+      const Vec3 m = place(at, .5 * half);
+      // Half a diagonal away, lengths differ by growth times that at most.
+      const double reach = options_.growth * side * .8661;
+      double least = std::numeric_limits<double>::infinity();
+      for (const SizedPoint& s : near) least = std::min(least, length_from(s, m));
+      kept.clear();
+      for (const SizedPoint& s : near) {
+        if (length_from(s, m) <= least + reach) kept.push_back(s);
+      }
+      divide(at, level + 1, std::vector<SizedPoint>(kept));
+    }
+  }
+
+  std::vector<Vec3> points;
+
+ private:
+  static std::uint64_t key(const std::array<std::uint32_t, 3>& at) {
+    return std::uint64_t{at[0]} << 42 | std::uint64_t{at[1]} << 21 | at[2];
+  }
+  Vec3 place(const std::array<std::uint32_t, 3>& at, double beside) const {
+    const double unit = side_ / (1u << kMostLevels);
+    return origin_ + unit * Vec3{at[0] + beside, at[1] + beside, at[2] + beside};
+  }
+  double length_from(const SizedPoint& s, const Vec3& x) const {
+    return s.length + options_.growth * distance(s.p, x);
+  }
+  double wanted_length(const Vec3& x, std::span<const SizedPoint> near) const {
+    double least = options_.max_edge;
+    for (const SizedPoint& s : near) least = std::min(least, length_from(s, x));
+    return least;
+  }
+  void add(const Vec3& x, double side, std::span<const SizedPoint> near) {
+    const double edge = std::min(.87 * side, 1.3 * wanted_length(x, near));
+    for (const SizedPoint& s : near) {
+      if (distance2(s.p, x) < kClearance * kClearance * edge * edge) return;
+    }
+    points.push_back(x);
+  }
+
+  LatticeOptions options_;
+  double side_;
+  Vec3 origin_;
+  std::unordered_set<std::uint64_t> corners_;
+};
+
+}  // namespace
+
+std::vector<Vec3> lattice_points(std::span<const SizedPoint> surface,
+                                 const LatticeOptions& options) {
+  DELISO_CHECK(!surface.empty());
+  Box3 box{surface.front().p, surface.front().p};
+  for (const SizedPoint& s : surface) box = united(box, {s.p, s.p});
+  Octree tree(box, options);
+  tree.divide({0, 0, 0}, 0, surface);
+  return std::move(tree.points);
+}
+
+}  // namespace deliso

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "more/solids/make_solid.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/box3.h"
+#include "delaunay/triangulation.h"
+#include "more/solids/fill.h"
+#include "more/solids/improve.h"
+
+namespace deliso {
+namespace {
+
+// Returns the Delaunay triangulation of the points, and of four more around them, as cells.
+CellMesh delaunay_cells(const IdArray<VertexId, Vec3>& given) {
+  IdArray<VertexId, Vec3> points = given;
+  Box3 box{points.front(), points.front()};
+  for (const Vec3& p : points) box = united(box, {p, p});
+  append_auxiliary(box, points);
+  Triangulation cells;
+  std::vector<SiteId> sites;
+  if (!cells.build(points, sites)) throw SkinError("its points lie in one plane");
+  IdArray<SiteId, VertexId> vertex(cells.vertex_capacity(), kNoId);
+  for (VertexId v = 0; v < points.size(); ++v) {
+    if (vertex[sites[v]] != kNoId) throw SkinError("two of its points lie at one place");
+    vertex[sites[v]] = v;
+  }
+  return CellMesh(cells, vertex, std::move(points));
+}
+
+// Returns the corners and middles of the walls, with the mean length of the edges there.
+std::vector<SizedPoint> sized_points(const IdArray<VertexId, Vec3>& points,
+                                     std::span<const Wall> walls) {
+  IdArray<VertexId, double> sum(points.size(), 0), count(points.size(), 0);
+  for (const Wall& wall : walls) {
+    for (int i = 0; i < 3; ++i) {
+      const VertexId a = wall.v[i], b = wall.v[(i + 1) % 3];
+      for (VertexId v : {a, b}) {
+        sum[v] += distance(points[a], points[b]);
+        count[v] += 1;
+      }
+    }
+  }
+  std::vector<SizedPoint> sized;
+  for (VertexId v = 0; v < points.size(); ++v) {
+    if (count[v] > 0) sized.push_back({points[v], sum[v] / count[v]});
+  }
+  for (const Wall& wall : walls) {
+    SizedPoint middle{{}, 0};
+    for (VertexId v : wall.v) {
+      middle.p = middle.p + points[v] / 3;
+      middle.length += sum[v] / count[v] / 3;
+    }
+    sized.push_back(middle);
+  }
+  return sized;
+}
+
+// Returns the solid of the mesh's cells. Vertices of no cell and no wall are left out, but for the
+// first `given`.
+Solid solid_of(const CellMesh& mesh, std::vector<Wall> walls, std::size_t given,
+               VertexId first_inner) {
+  Solid solid;
+  solid.walls = std::move(walls);
+  std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
+  std::fill_n(is_used.begin(), given, 1);
+  for (CellId c = 0; c < mesh.cell_capacity(); ++c) {
+    if (!mesh.is_live(c)) continue;
+    solid.cells.push_back(mesh.corners(c));
+    solid.regions.push_back(mesh.region(c));
+    for (VertexId v : mesh.corners(c)) is_used[v] = 1;
+  }
+  for (const Wall& wall : solid.walls) {
+    for (VertexId v : wall.v) is_used[v] = 1;
+  }
+  IdArray<VertexId, VertexId> number(mesh.points.size(), kNoId);
+  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+    if (v == first_inner) solid.skin_points = solid.points.size();
+    if (!is_used[v]) continue;
+    number[v] = VertexId(solid.points.size());
+    solid.points.push_back(mesh.points[v]);
+  }
+  if (first_inner == mesh.points.size()) solid.skin_points = solid.points.size();
+  for (Corners& cell : solid.cells) {
+    for (VertexId& v : cell) v = number[v];
+  }
+  for (Wall& wall : solid.walls) {
+    for (VertexId& v : wall.v) v = number[v];
+  }
+  return solid;
+}
+
+}  // namespace
+
+Solid make_solid(const Skin& skin, const SolidOptions& options) {
+  CellMesh mesh = delaunay_cells(skin.points);
+  std::vector<Wall> walls = skin.walls;
+  const RecoveryCounts recovery = recover(mesh, walls);
+  if (recovery.lost > 0) throw SkinError("it crosses itself");
+  if (!set_regions(mesh, walls)) throw SkinError("it is not closed, or its sides do not agree");
+  const VertexId first_inner(mesh.points.size());
+  if (options.fills) {
+    insert_points(mesh, lattice_points(sized_points(mesh.points, walls), options.lattice));
+  }
+  mesh.remove_region(kOutside);
+  if (options.fills) improve(mesh, first_inner, options.passes);
+  Solid solid = solid_of(mesh, std::move(walls), skin.points.size(), first_inner);
+  solid.recovery = recovery;
+  return solid;
+}
+
+}  // namespace deliso

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+#include "more/solids/recover.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "exact/predicates.h"
+#include "more/solids/moves.h"
+#include "more/solids/wall_table.h"
+
+namespace deliso {
+namespace {
+
+// What the segment from a vertex to another one crosses first: the facet, or of it the edge from
+// its corner number `edge` to the next.
+struct Crossing {
+  Facet facet;
+  int edge = -1;
+};
+
+class Recovery {
+ public:
+  Recovery(CellMesh& mesh, std::span<const Wall> walls) : mesh_(mesh), walls_(walls) {}
+
+  void run() {
+    for (WallId w = 0; w < walls_.size(); ++w) {
+      if (mark(w)) continue;
+      ++counts_.missing_walls;
+      require(w);
+    }
+    counts_.missing_edges = edges_.size();
+    while (!edges_.empty() || !missing_.empty()) {
+      // What moves can do, as long as they do something; then a few cuts.
+      if (recover_by_moves()) continue;
+      for (std::size_t n = edges_.size() / kShareCut + !edges_.empty(); n > 0; --n) {
+        const auto [a, b] = edges_.front();
+        edges_.pop_front();
+        if (!recover_edge(a, b) && !cut_edge(a, b) && !cut_edge(b, a)) ++counts_.lost;
+      }
+      for (std::size_t n = edges_.empty() ? missing_.size() / kShareCut + 1 : 0; n > 0; --n) {
+        const WallId w = missing_.front();
+        missing_.pop_front();
+        if (!recover_wall(w) && !cut_wall(w)) ++counts_.lost;
+      }
+    }
+  }
+
+  std::vector<Wall> walls() const {
+    std::vector<Wall> live;
+    for (WallId w = 0; w < walls_.size(); ++w) {
+      if (walls_.is_live(w)) live.push_back(walls_[w]);
+    }
+    return live;
+  }
+  const RecoveryCounts& counts() const { return counts_; }
+
+ private:
+  // Tries before an edge or a wall is cut.
+  static constexpr int kMostTries = 24;
+  // Of the edges or walls that moves leave, one in as many is cut before moves are tried again.
+  static constexpr std::size_t kShareCut = 8;
+  // Parts of a wall are turned only if their areas are more than this share of it.
+  static constexpr double kFlat = 1e-9;
+
+  const Vec3& at(VertexId v) const { return mesh_.points[v]; }
+
+  // Marks w as a wall of the mesh; returns whether it is a facet there.
+  bool mark(WallId w) {
+    const auto& [a, b, c] = walls_[w].v;
+    const CellId cell = mesh_.cell_with(a, b, c);
+    if (cell == kNoId) return false;
+    const Corners& v = mesh_.corners(cell);
+    for (int i = 0; i < 4; ++i) {
+      if (v[i] != a && v[i] != b && v[i] != c) mesh_.set_wall({cell, i});
+    }
+    return true;
+  }
+
+  // Puts a wall and those of its edges that are missing on the lists.
+  void require(WallId w) {
+    const auto& v = walls_[w].v;
+    for (int i = 0; i < 3; ++i) {
+      const VertexId a = v[i], b = v[(i + 1) % 3];
+      if (mesh_.cell_with(a, b) == kNoId) edges_.push_back({std::min(a, b), std::max(a, b)});
+    }
+    missing_.push_back(w);
+  }
+
+  std::optional<Crossing> first_crossing(VertexId a, VertexId b) {
+    mesh_.cells_at(a, star_);
+    for (CellId c : star_) {
+      const int i = corner_index(mesh_.corners(c), a);
+      std::array<VertexId, 3> v;
+      for (int k = 0; k < 3; ++k) v[k] = mesh_.corners(c)[kFacetVertices[i][k]];
+      int zeros = 0, on = -1;
+      bool is_within = true;
+      for (int k = 0; k < 3 && is_within; ++k) {
+        const int side = orient3d(at(a), at(v[k]), at(v[(k + 1) % 3]), at(b));
+        is_within = side >= 0;
+        if (side == 0) ++zeros, on = k;
+      }
+      if (!is_within || zeros > 1) continue;
+      return Crossing{{c, i}, on};
+    }
+    return std::nullopt;
+  }
+
+  bool remove_between(VertexId u, VertexId w, double floor) {
+    if (walls_.has_edge(u, w)) return false;
+    find_ring(mesh_, mesh_.cell_with(u, w), u, w, ring_);
+    return !ring_.has_wall && remove_edge(mesh_, ring_, floor);
+  }
+
+  // Removes what the edge from a to b crosses first, or something beside it. Returns whether it
+  // could.
+  bool clear_first(VertexId a, VertexId b) {
+    const auto crossing = first_crossing(a, b);
+    if (!crossing) return false;
+    const Facet f = crossing->facet;
+    std::array<VertexId, 3> v;
+    for (int k = 0; k < 3; ++k) v[k] = mesh_.corners(f.cell)[kFacetVertices[f.index][k]];
+    if (crossing->edge >= 0) return remove_between(v[crossing->edge], v[(crossing->edge + 1) % 3], 0);
+    if (remove_facet(mesh_, f, 0)) return true;
+    for (int k = 0; k < 3; ++k) {
+      if (remove_between(v[k], v[(k + 1) % 3], 0)) return true;
+    }
+    return false;
+  }
+
+  // An edge between two parts of one wall may as well be their other diagonal, if that is there.
+  bool turn_edge(VertexId a, VertexId b) {
+    const std::vector<WallId> parts = walls_.at_edge(a, b);
+    if (parts.size() != 2 || walls_.whole(parts[0]) != walls_.whole(parts[1])) return false;
+    std::array<VertexId, 2> other;
+    for (int k = 0; k < 2; ++k) {
+      for (VertexId v : walls_[parts[k]].v) {
+        if (v != a && v != b) other[k] = v;
+      }
+    }
+    const auto [u, v] = other;
+    if (u == v || walls_.has_edge(u, v) || mesh_.cell_with(u, v) == kNoId) return false;
+    const Vec3 normal = cross(at(b) - at(a), at(u) - at(a)), across = at(v) - at(u);
+    const double of_a = dot(normal, cross(across, at(a) - at(u)));
+    const double of_b = dot(normal, cross(across, at(b) - at(u)));
+    const double least = kFlat * length2(normal);
+    if (std::min(std::fabs(of_a), std::fabs(of_b)) <= least || (of_a > 0) == (of_b > 0)) return false;
+    std::array<Wall, 2> turned{walls_[parts[0]], walls_[parts[0]]};
+    std::ranges::replace(turned[0].v, b, v);
+    std::ranges::replace(turned[1].v, a, v);
+    const WallId whole = walls_.whole(parts[0]);
+    for (WallId w : parts) walls_.remove(w);
+    for (const Wall& wall : turned) require(walls_.add(wall, whole));
+    return true;
+  }
+
+  // Returns whether the edge is there now, or is no wall's any more.
+  bool recover_edge(VertexId a, VertexId b) {
+    for (int tries = 0; tries < kMostTries; ++tries) {
+      if (!walls_.has_edge(a, b) || mesh_.cell_with(a, b) != kNoId || turn_edge(a, b)) return true;
+      if (!clear_first(a, b) && !clear_first(b, a)) return false;
+    }
+    return false;
+  }
+
+  // Returns whether the lists are shorter now.
+  bool recover_by_moves() {
+    const std::size_t edges = edges_.size(), missing = missing_.size();
+    for (std::size_t n = edges; n > 0; --n) {
+      const auto [a, b] = edges_.front();
+      edges_.pop_front();
+      if (!recover_edge(a, b)) edges_.push_back({a, b});
+    }
+    for (std::size_t n = edges_.empty() ? missing_.size() : 0; n > 0; --n) {
+      const WallId w = missing_.front();
+      missing_.pop_front();
+      if (!recover_wall(w)) missing_.push_back(w);
+    }
+    return edges_.size() < edges || missing_.size() < missing;
+  }
+
+  // Cuts the edge from a to b where it first crosses a facet or an edge of cells.
+  bool cut_edge(VertexId a, VertexId b) {
+    const auto crossing = first_crossing(a, b);
+    if (!crossing) return false;
+    const Facet f = crossing->facet;
+    std::array<VertexId, 3> v;
+    for (int k = 0; k < 3; ++k) v[k] = mesh_.corners(f.cell)[kFacetVertices[f.index][k]];
+    std::vector<CellId> zone;
+    if (crossing->edge >= 0) {
+      const VertexId u = v[crossing->edge], w = v[(crossing->edge + 1) % 3];
+      if (walls_.has_edge(u, w)) return false;
+      find_ring(mesh_, f.cell, u, w, ring_);
+      zone = ring_.cells;
+    } else {
+      if (mesh_.is_wall(f)) return false;
+      zone = {f.cell, mesh_.neighbor(f.cell, f.index)};
+    }
+    const double from_a = orient3d_value(at(v[0]), at(v[1]), at(v[2]), at(a));
+    const double from_b = orient3d_value(at(v[0]), at(v[1]), at(v[2]), at(b));
+    const Vec3 p = at(a) + from_a / (from_a - from_b) * (at(b) - at(a));
+    const VertexId x = star_from(mesh_, p, zone, 0);
+    if (x == kNoId) return false;
+    ++counts_.cut_edges;
+    for (WallId w : walls_.at_edge(a, b)) {
+      for (WallId part : walls_.cut(w, a, b, x)) require(part);
+    }
+    return true;
+  }
+
+  // True if the segment p q crosses the inside of the wall. Exact; false where it touches.
+  bool crosses(const std::array<VertexId, 3>& wall, VertexId p, VertexId q) const {
+    const auto& [a, b, c] = wall;
+    const int side = orient3d(at(a), at(b), at(c), at(p));
+    if (side * orient3d(at(a), at(b), at(c), at(q)) >= 0) return false;
+    for (int k = 0; k < 3; ++k) {
+      if (side * orient3d(at(wall[k]), at(wall[(k + 1) % 3]), at(q), at(p)) <= 0) return false;
+    }
+    return true;
+  }
+
+  // Finds an edge of cells that crosses the wall, at one of its edges. Sets ring_ to it.
+  bool find_crossing_edge(const std::array<VertexId, 3>& wall) {
+    for (int k = 0; k < 3; ++k) {
+      const VertexId a = wall[k], b = wall[(k + 1) % 3];
+      const CellId cell = mesh_.cell_with(a, b);
+      if (cell == kNoId) continue;
+      find_ring(mesh_, cell, a, b, ring_);
+      const std::size_t n = ring_.v.size();
+      for (std::size_t i = 0; i + !ring_.is_closed < n; ++i) {
+        const VertexId p = ring_.v[i], q = ring_.v[(i + 1) % n];
+        if (!crosses(wall, p, q)) continue;
+        find_ring(mesh_, ring_.cells[i], p, q, ring_);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Returns whether the wall is there now, or is none any more.
+  bool recover_wall(WallId w) {
+    if (!walls_.is_live(w)) return true;
+    const std::array<VertexId, 3> v = walls_[w].v;
+    const auto may_join = [&](VertexId p, VertexId q) { return !crosses(v, p, q); };
+    for (int tries = 0; tries < kMostTries; ++tries) {
+      if (mark(w)) return true;
+      if (!find_crossing_edge(v) || walls_.has_edge(ring_.a, ring_.b)) return false;
+      if (!remove_edge(mesh_, ring_, 0, may_join) && !shrink_ring(v)) return false;
+    }
+    return false;
+  }
+
+  // Takes a cell out of the ring of an edge that crosses the wall, by the removal of a facet.
+  bool shrink_ring(const std::array<VertexId, 3>& wall) {
+    const Ring ring = ring_;
+    for (std::size_t i = 0; i < ring.cells.size(); ++i) {
+      // The facet between this cell and the next has the corners a, b and v[i + 1].
+      const CellId c = ring.cells[i];
+      const int index = corner_index(mesh_.corners(c), ring.v[i]);
+      const Facet g = mesh_.mirror({c, index});
+      if (g.cell == kNoId) continue;
+      if (crosses(wall, ring.v[i], mesh_.corners(g.cell)[g.index])) continue;
+      if (remove_facet(mesh_, {c, index}, 0)) return true;
+    }
+    return false;
+  }
+
+  bool cut_wall(WallId w) {
+    const std::array<VertexId, 3> v = walls_[w].v;
+    if (!find_crossing_edge(v) || walls_.has_edge(ring_.a, ring_.b)) return false;
+    const Vec3 &p = at(ring_.a), &q = at(ring_.b);
+    const double of_p = orient3d_value(at(v[0]), at(v[1]), at(v[2]), p);
+    const double of_q = orient3d_value(at(v[0]), at(v[1]), at(v[2]), q);
+    const VertexId x = star_from(mesh_, p + of_p / (of_p - of_q) * (q - p), ring_.cells, 0);
+    if (x == kNoId) return false;
+    ++counts_.cut_walls;
+    const Wall cut = walls_[w];
+    const WallId whole = walls_.whole(w);
+    walls_.remove(w);
+    for (int k = 0; k < 3; ++k) {
+      Wall part = cut;
+      part.v[k] = x;
+      require(walls_.add(part, whole));
+    }
+    return true;
+  }
+
+  CellMesh& mesh_;
+  WallTable walls_;
+  RecoveryCounts counts_;
+  std::deque<std::pair<VertexId, VertexId>> edges_;
+  std::deque<WallId> missing_;
+  std::vector<CellId> star_;
+  Ring ring_;
+};
+
+}  // namespace
+
+RecoveryCounts recover(CellMesh& mesh, std::vector<Wall>& walls) {
+  Recovery recovery(mesh, walls);
+  recovery.run();
+  walls = recovery.walls();
+  return recovery.counts();
+}
+
+}  // namespace deliso
