@@ -104,6 +104,11 @@ figures:
 	@$(BUILD)/figures/lesson/lesson docs/index.html
 	@sh figures/draw_figures.sh $(BUILD) docs/figures '$(DATA)'
 
+# The code in docs/, from the sources.
+.PHONY: pages
+pages:
+	@sh tests/docs/code.sh write $$(grep -l '^<!-- code: ' docs/*.md docs/guide/*.md)
+
 # A folder that any static host serves: the page docs/index.html with its drawings, two traces and a view.
 site:
 ifndef DELISO

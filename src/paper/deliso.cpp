@@ -38,8 +38,7 @@ Recovery init_triangulation(Sigma& sigma, const Options& options, Report& report
   Triangulation del;
   std::vector<SiteId> ids;
   DELISO_CHECK(del.build(sample, ids));
-  RestrictedDelaunay s0(std::move(del), sigma, options, report);
-  return Recovery(std::move(s0), curves, ids, options, report);
+  return Recovery({std::move(del), sigma, options, report}, curves, ids, options, report);
 }
 
 VoxelTree begin_run(const Volume& volume, double isovalue, const Options& options, Report& report) {
@@ -63,18 +62,9 @@ TriMesh finish(SurfaceMesh t, const Sigma& sigma, const Options& options, Report
 
 namespace {
 
-// Stage 1: returns T_S, with pole heights unless it is all that is asked for.
-SurfaceMesh stage_one(Sigma& sigma, const Options& options, Report& report) {
-  Recovery s = stage("initial", report.seconds_init, options,
-                     [&] { return init_triangulation(sigma, options, report); });
-  if (report.points_initial() == 0 && !sigma.is_empty()) {
-    throw InputError("none of the ", options.lines,
-                     " random lines meets the surface: --lines N draws more");
-  }
-  if (options.observer) options.observer->sample_ready(s.del(), report);
-  stage("recover", report.seconds_recover, options, [&] { s.recover(); });
-  s.count_left();
-  if (options.observer) options.observer->recovered();
+// Refine(Del S_1) of Figure 9 up to RefineGeom: returns T_S, with pole heights unless it is all
+// that is asked for. Del S_1 ends here.
+SurfaceMesh hand_over(Recovery s, const Sigma& sigma, const Options& options, Report& report) {
   std::vector<double> poles;
   if (!options.stop_after_recover) {
     stage("poles", report.seconds_poles, options,
@@ -89,8 +79,18 @@ TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Re
   const StepTimer total(report.seconds_total);
   const VoxelTree tree = begin_run(volume, isovalue, options, report);
   Sigma sigma(tree, report.kappa, options.solver);
-  // There are no tetrahedra when Stage 1 is over.
-  return finish(stage_one(sigma, options, report), sigma, options, report);
+  Recovery s = stage("initial", report.seconds_init, options,
+                     [&] { return init_triangulation(sigma, options, report); });
+  if (report.points_initial() == 0 && !sigma.is_empty()) {
+    throw InputError("none of the ", options.lines,
+                     " random lines meets the surface: --lines N draws more");
+  }
+  if (options.observer) options.observer->sample_ready(s.del(), report);
+  stage("recover", report.seconds_recover, options, [&] { s.recover(); });
+  s.count_left();
+  if (options.observer) options.observer->recovered();
+  SurfaceMesh t = hand_over(std::move(s), sigma, options, report);
+  return finish(std::move(t), sigma, options, report);
 }
 
 }  // namespace deliso::paper

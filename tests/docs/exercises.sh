@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Every chapter of the guide that has exercises has three, each with a worked answer. Each is
+# The page of the paper and every chapter of the guide that has exercises has three, each with a worked answer. Each is
 # answered by a test case that is there under the name that the chapter gives. docs/proof.md names a
 # test case for each of C1 to C4.
 # Usage: exercises.sh SOURCE
@@ -15,7 +15,7 @@ say() {
 # One line of words each, however it was broken.
 flat() { tr -s ' \n' '  ' <"$1"; }
 
-for page in docs/guide/*.md; do
+for page in docs/paper.md docs/guide/*.md; do
   grep -q '^## Exercises' "$page" || continue
   chapters=$((chapters + 1))
   answers=$(flat "$page" | grep -o 'Answered by\* `[^`]*`: "[^"]*"' || true)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Lines of a definition. Usage: awk -v name=NAME -f reading.awk FILE
-# With -v show=1 it prints the definitions in place of their lines' number.
+# With -v show=1 it prints the definitions' bodies in place of their lines' number; with -v show=source the
+# definitions as a page shows them: whole, with the comment above, without indentation and without the statements that
+# tell the observer, which have no influence on the mesh.
 # NAME is a function (`f`, `Class::f`), `class C`, or `file`. A function's lines are those of all its
 # definitions in the file, from the line with its name to the closing brace. Prints 0 if there is none.
 
@@ -61,7 +63,25 @@ function body_of(at,   rest) {
   return 0
 }
 
-{ text = text plain($0) "\n" }
+# Prints the definition from line `first` to `last`.
+function print_source(first, last,   line, shift, skipped_to) {
+  while (first > 1 && source[first - 1] ~ /^ *\/\/ |^ *template |^[A-Za-z][^;{}#]*$/) first--
+  match(source[first], /^ */)
+  shift = RLENGTH
+  if (shown++) print ""
+  for (; first <= last; first++) {
+    line = source[first]
+    if (skipped_to == "" && match(line, /^ *if \((options_?\.)?observer\) /))
+      skipped_to = line ~ /\{$/ ? substr(line, 1, index(line, "i") - 1) "}" : ";"
+    if (skipped_to == "") print substr(line, shift + 1)
+    else if (skipped_to == ";" ? line ~ /;$/ : line == skipped_to) skipped_to = ""
+  }
+}
+
+{
+  source[NR] = $0
+  text = text plain($0) "\n"
+}
 END {
   if (name == "file") {
     print NR
@@ -84,7 +104,8 @@ END {
       if (!body) continue
     }
     last = close_of(body, "{", "}")
-    if (show) print substr(text, body, last - body + 1)
+    if (show == "source") print_source(line_of(at) + 1, line_of(last) + 1)
+    else if (show) print substr(text, body, last - body + 1)
     lines += line_of(last) - line_of(at) + 1
     from = last
   }

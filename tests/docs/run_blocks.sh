@@ -92,6 +92,17 @@ while IFS='	' read -r number line kind marker; do
     *:"run by: "*)
       if run_by "$source/$what"; then told "$marker"; else fault "not run by $what"; fi
       ;;
+    *:"code: "*)
+      # shellcheck disable=SC2086
+      if ! sh "$tests/code.sh" show $what >"$blocks/code" 2>"$blocks/diff"; then
+        fault "$(cat "$blocks/diff")"
+      elif ! diff "$body" "$blocks/code" >"$blocks/diff"; then
+        fault 'other code than the source; "make pages" writes it'
+        sed 's/^/  | /' "$blocks/diff"
+      else
+        told "$marker"
+      fi
+      ;;
     *:"file: "*)
       cp "$body" "$scratch/$what"
       told "is $what"

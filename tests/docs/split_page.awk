@@ -41,7 +41,7 @@ inside {
   if (marker ~ /^shows: /) {
     emit("shows", substr(marker, 8))
     marker = ""
-  } else if (marker !~ /^(not run|run by|file): [^ ]/) {
+  } else if (marker !~ /^(not run|run by|file|code): [^ ]/) {
     emit("fault", "what does the marker '" marker "' mean?")
     marker = ""
   }
