@@ -156,6 +156,13 @@ gauntlet:
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app gauntlet
 	@$(PYTHON) -B bench/gauntlet/gauntlet.py $(BUILD) $(BUILD)/gauntlet --jobs $(JOBS) $(GAUNTLET)
 
+# docs/guide/options.md, from the program's own table.
+.PHONY: options
+options:
+	@$(CONFIGURE) -B $(BUILD) >/dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app
+	@$(BUILD)/deliso help markdown >docs/guide/options.md
+
 # The table of docs/switches.md: what the meshes of five volumes are worth without each mechanism that
 # a record there defends, or with another constant; all, or those named in ONLY. Minutes for each.
 # Without the volumes in DATA built-in fields stand in, and the rows of volumes go from the table.

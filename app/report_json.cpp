@@ -159,7 +159,7 @@ void add_memory(ReportWriter& out, std::uint64_t bytes) {
 void add_counters(ReportWriter& out, const Report& report) {
   out.open("counters", "what was refused or left unresolved; all 0 in a clean run");
   for (std::size_t n = 0; n < kCounterCount; ++n) {
-    out.add(name_of(static_cast<Counter>(n)), report.counters[n], "docs/guide/report.md");
+    out.add(name_of(static_cast<Counter>(n)), report.counters[n], "docs/glossary.md");
   }
   out.close();
 }
