@@ -278,7 +278,7 @@ void add_label(ReportWriter& out, const SharedLabel& l) {
   out.add("triangles", l.triangles, "of its mesh");
   add_topology(out, "topology", l.mesh,
                "of its mesh; of label 0 with --cap, with the caps that only this count has");
-  add_topology(out, "exact_topology", l.exact, "of its region in T_L (docs/guide/noise.md)");
+  add_topology(out, "exact_topology", l.exact, "of its region in T_L (docs/guide/labels.md)");
   out.add("topology_exact", l.mesh == l.exact, "the two are equal");
   out.add("euler_of_samples", l.euler_of_samples,
           "of the surface around its samples, neighbors by faces, edges and corners");
