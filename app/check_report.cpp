@@ -308,7 +308,7 @@ void add_faults(ReportWriter& out, const Faults& faults, const Frame& frame) {
   for (std::size_t n = 0; n < kFaultKinds; ++n) {
     const auto kind = static_cast<FaultKind>(n);
     if (!out.if_any(faults.count(kind) > 0)) continue;
-    out.open(name_of(kind), "docs/guide/report.md");
+    out.open(name_of(kind), "docs/glossary.md");
     out.add("count", faults.count(kind), "how many");
     out.add_objects("first", "one of the first few", faults.first(kind), [&](const Fault& fault) {
       out.add("what", fault.what, "one line with ids");
