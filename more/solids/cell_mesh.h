@@ -19,11 +19,9 @@
 #include "base/ids.h"
 #include "base/vec3.h"
 #include "delaunay/triangulation.h"
-#include "more/solids/skin.h"
+#include "more/solids/solid.h"
 
 namespace deliso {
-
-using Corners = std::array<VertexId, 4>;
 
 class CellMesh {
  public:
@@ -71,7 +69,8 @@ class CellMesh {
     RegionId region = kOutside;
     std::uint8_t walls = 0;
   };
-  // A facet by its corners: of a new cell, then by its place among them, or what lies behind a ball.
+  // A facet by its corners: of a new cell, then by its place among them, or what lies behind a
+  // ball.
   struct Side {
     std::array<VertexId, 3> v;  // sorted
     Facet facet;

@@ -6,8 +6,10 @@
 
 #include "base/box3.h"
 #include "delaunay/triangulation.h"
+#include "more/solids/cell_mesh.h"
 #include "more/solids/fill.h"
 #include "more/solids/improve.h"
+#include "more/solids/recover.h"
 
 namespace deliso {
 namespace {
