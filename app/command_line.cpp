@@ -271,6 +271,13 @@ void check_join(CommandLine& line) {
   check_file(line);
 }
 
+void check_solid(const CommandLine& line) {
+  refuse_if(line.meshes.empty(), "no surface given: deliso solid MESH -o SOLID");
+  refuse_if(line.meshes.size() > 1, "a solid is of one surface: its labels are those of --shared");
+  refuse_if(line.mesh.write.format.has_value(), "--format of a solid is mesh, vtu, msh or tetgen");
+  if (!line.solid.format && !line.output.empty() && line.output != "-") solid_format_of(line.output);
+}
+
 // Checks the conditions between options, after all are read.
 void check_combination(CommandLine& line) {
   if (!line.isovalues.empty()) {
@@ -284,12 +291,15 @@ void check_combination(CommandLine& line) {
   }
   refuse_if(line.command == Command::check && !line.meshes.empty() && line.input.empty(),
             "check needs a mesh and a volume: deliso check MESH INPUT --iso K; or two meshes");
-  refuse_if(line.input.empty() && line.meshes.empty() && line.command != Command::join,
+  refuse_if(line.input.empty() && line.meshes.empty() && line.command != Command::join &&
+                line.command != Command::solid,
             "no input given; --help shows how");
   if (line.command == Command::render) return check_picture(line);
   if (line.command == Command::view) return check_page(line);
   refuse_if(line.output == "-" && line.json == "-",
             "-o and --json cannot both go to standard output");
+  if (line.command == Command::solid) return check_solid(line);
+  refuse_if(line.solid.format.has_value(), "--format of a mesh is none of a solid: deliso solid");
   if (line.command == Command::join) return check_join(line);
   if (line.command == Command::check) check_streams(line);
   take_builtin_isovalue(line);
@@ -425,7 +435,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
     if (options_end || argument == "-" || !argument.starts_with('-')) {
       refuse_if(argument.empty(), "the input's name is empty");
       if (command == Command::render || command == Command::view || command == Command::join ||
-          (command == Command::check && line.meshes.empty())) {
+          command == Command::solid || (command == Command::check && line.meshes.empty())) {
         line.meshes.emplace_back(argument);
         continue;
       }
