@@ -6,12 +6,13 @@
 // (io/files/atomic_file.h); `-` is standard output, but not for TetGen's three files.
 //
 //   W1  Points, cells and walls are in the order of the solid.
-//   W2  Cells are positively oriented: det[b - a, c - a, d - a] > 0. TetGen's have the other sign,
-//       as its own have.
+//   W2  Cells are positively oriented: det[b - a, c - a, d - a] > 0, in all four formats.
 //   W3  A wall is counter-clockwise seen from its front.
-//   W4  A cell's region has the number of its label. Walls have a marker for each set (kind, front,
-//       behind), counted from 1 in that order, which a table in a comment explains.
-//   W5  A name is the label's; of a wall, "behind|front".
+//   W4  A region has the number of its label; if these are not all from 1 to 2^31 - 1, in VTK's
+//       format still, in others its own. Walls have a marker for each triple of kind, region in
+//       front and region behind, counted from 1 in that order. A table in the comments explains
+//       all.
+//   W5  Only Gmsh's format has names: the label's for a volume, "behind|front" for a surface.
 #pragma once
 
 #include <cstdint>
