@@ -16,7 +16,7 @@ struct SkippedRow {
   int numbers;
 };
 constexpr SkippedRow kSkipped[] = {{"Edges", 3},
-                                   {"Corners", 1},
+                                   {"Tetrahedron", 1},
                                    {"Ridges", 1},
                                    {"RequiredVertices", 1},
                                    {"RequiredEdges", 1},
@@ -95,7 +95,7 @@ class MeditParser {
       }
     } else if (keyword == "Tetrahedra") {
       for (std::int64_t n = 0; n < count; ++n) {
-        Corners cell;
+        Tetrahedron cell;
         for (VertexId& v : cell) v = corner();
         parts_.labels.push_back(number<std::int64_t>("the reference of a tetrahedron"));
         if (solid.cells.size() == kMostCells) fail(name_, "has too many tetrahedra");

@@ -77,7 +77,7 @@ class VtuParser {
       if (next != end + 4) fail(name_, "a cell ends at corner ", next, ", the one before at ", end);
       end = next;
     });
-    Corners cell;
+    Tetrahedron cell;
     std::size_t n = 0;
     xml_.for_each<std::int64_t>(
         corners_, 4 * cells_, "the corners" + of_cells, [&](std::int64_t v) {

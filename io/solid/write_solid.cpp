@@ -93,7 +93,7 @@ Solid written_solid(const Solid& solid, const Frame& frame) {
   Solid written = solid;
   for (Vec3& p : written.points) p = frame.to_world(p);
   if (!frame.left_handed()) return written;
-  for (Corners& v : written.cells) std::swap(v[2], v[3]);
+  for (Tetrahedron& v : written.cells) std::swap(v[2], v[3]);
   for (Wall& wall : written.walls) std::swap(wall.v[1], wall.v[2]);
   return written;
 }

@@ -45,7 +45,7 @@ _)");
     for (int axis = 0; axis < 3; ++axis) put_binary(out, p[axis]);
   }
   put_binary(out, cells * 32);
-  for (const Corners& corners : solid.cells) {
+  for (const Tetrahedron& corners : solid.cells) {
     for (const VertexId v : corners) put_binary(out, std::int64_t{v});
   }
   put_binary(out, cells * 8);

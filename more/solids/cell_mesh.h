@@ -23,6 +23,8 @@
 
 namespace deliso {
 
+using Corners = Tetrahedron;
+
 class CellMesh {
  public:
   IdArray<VertexId, Vec3> points;

@@ -10,7 +10,7 @@
 
 namespace deliso {
 
-using Corners = std::array<VertexId, 4>;
+using Tetrahedron = std::array<VertexId, 4>;  // corners: det[b - a, c - a, d - a] > 0
 
 struct RecoveryCounts {
   std::size_t missing_edges = 0, missing_walls = 0;  // at the beginning
@@ -20,7 +20,7 @@ struct RecoveryCounts {
 
 struct Solid {
   IdArray<VertexId, Vec3> points;  // those of the skin, as given; cuts of it; points inside
-  std::vector<Corners> cells;
+  std::vector<Tetrahedron> cells;
   std::vector<RegionId> regions;  // of each cell
   std::vector<Wall> walls;        // the skin's, or the parts that replace one
   std::size_t skin_points = 0;    // the skin's, with cuts
