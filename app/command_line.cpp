@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <numeric>
 #include <system_error>
 #include <utility>
@@ -197,13 +198,13 @@ void check_streams(const CommandLine& line) {
             "mesh and volume cannot both come from standard input");
 }
 
-// The check command of two meshes knows no volume.
-void check_meshes(const CommandLine& line) {
-  constexpr std::string_view kAllowed[] = {"--max-distance", "--json", "--quiet", "--threads"};
+// The check command of two meshes, or of a solid, knows no volume.
+void check_meshes(const CommandLine& line, std::string_view what,
+                  std::initializer_list<std::string_view> allowed) {
   for (const std::string& word : line.words) {
     const std::string_view name = std::string_view(word).substr(0, word.find('='));
-    if (std::ranges::find(kAllowed, name) != std::end(kAllowed)) continue;
-    throw InputError(name, " means nothing between two meshes: it is about a volume");
+    if (std::ranges::find(allowed, name) != allowed.end()) continue;
+    throw InputError(name, " means nothing ", what, ": it is about a volume");
   }
   refuse_if(line.verify.given.limits[Criterion::distance] &&
                 line.options.limits[Criterion::distance].unit == Length::Unit::voxel,
@@ -284,10 +285,15 @@ void check_combination(CommandLine& line) {
     check_names(line, "--iso of several isovalues", "isovalue");
     refuse_if(line.mesh.part.has_value(), "--part takes one isovalue");
   }
+  if (line.command == Command::check && !line.meshes.empty() &&
+      has_solid_ending(line.meshes.front())) {
+    if (!line.input.empty()) line.meshes.push_back(std::exchange(line.input, {}));
+    return check_meshes(line, "of a solid", {"--json", "--quiet", "--threads"});
+  }
   if (line.command == Command::check && has_mesh_ending(line.input)) {
     line.meshes.push_back(std::exchange(line.input, {}));
     check_streams(line);
-    return check_meshes(line);
+    return check_meshes(line, "between two meshes", {"--max-distance", "--json", "--quiet", "--threads"});
   }
   refuse_if(line.command == Command::check && !line.meshes.empty() && line.input.empty(),
             "check needs a mesh and a volume: deliso check MESH INPUT --iso K; or two meshes");

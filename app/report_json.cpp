@@ -363,6 +363,8 @@ std::string report_schema() {
   out.describe_report("info", [&] { add_info(out, {input, {}, {}, {}, {}, 0, {}, 0, {}, 0}); });
   out.describe_report(
       "info", [&] { add_series(out, "", {}); }, "of a folder of several series");
+  out.describe_report(
+      "check", [&] { add_checked_solid(out, {}, {}); }, "of a solid");
   out.describe_report("solid", [&] { add_solid_run(out, {line}); });
   return out.finish();
 }

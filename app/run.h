@@ -32,5 +32,6 @@ int run_view(const CommandLine& line);
 int run_trace(const CommandLine& line);
 int run_join(const CommandLine& line);
 int run_solid(const CommandLine& line);
+int run_check_solid(const CommandLine& line);  // of check, of a solid
 
 }  // namespace deliso

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A run of deliso solid without its files: a closed surface in, a solid of tetrahedra out. And its
-// results as text and as JSON.
+// A run of deliso solid without its files: a closed surface in, a solid of tetrahedra out. And the
+// results, and those of a check of a solid, as text and as JSON.
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +13,7 @@
 #include "app/progress.h"
 #include "app/report_writer.h"
 #include "base/diagnostics.h"
+#include "check/check_solid.h"
 #include "io/mesh/read_mesh.h"
 #include "io/solid/write_solid.h"
 #include "mesh/tri_mesh.h"
@@ -20,35 +21,42 @@
 
 namespace deliso {
 
+// A check with the labels of the regions.
+struct LabeledSolidCheck {
+  SolidCheck result{};
+  std::vector<RegionLabel> labels{};  // of region r, labels[r - 1]
+};
+// Checks the solid against the surface, if that is given.
+LabeledSolidCheck check_labeled(const Solid& solid, std::vector<RegionLabel> labels,
+                                const TriMesh* surface, int threads);
+// Give aligned lines, and an object "check".
+std::string solid_check_text(const LabeledSolidCheck& check);
+void add_solid_check(ReportWriter& out, const LabeledSolidCheck& check);
+// Adds the members of the check command's report. `files`: the solid's, and perhaps the surface's.
+void add_checked_solid(ReportWriter& out, std::span<const std::string> files,
+                       const LabeledSolidCheck& check);
+
 struct SolidRun {
   const CommandLine& line;
   Diagnostics notes{};
   std::size_t vertices = 0, triangles = 0;  // of the surface
 
   Solid solid{};
-  Frame frame{};                      // of its points
-  std::vector<RegionLabel> labels{};  // of region r, labels[r - 1]
-  struct Region {
-    std::size_t cells = 0;
-    double volume = 0;
-  };
-  std::vector<Region> regions{};  // of each label
-  // Degrees between two facets of a cell: the least, what 1 % and 5 % are below, the largest.
-  std::array<double, 4> angles{};
+  Frame frame{};  // of its points
+  LabeledSolidCheck check{};
   struct Seconds {
-    double read = 0, check = 0, solid = 0;
+    double read = 0, surface = 0, solid = 0;
   } seconds{};
   RunCost cost{};
 
   SolidWriteOptions write_options() const;
+  bool sound() const { return !check.result.faults.any(); }
 };
 
-// Fills the surface with cells, and the run in. Of labels (MeshNotes::sides) each is a region, but
-// for 0 and the faces of the box, which are outside; else all that is behind facets is region 1,
-// also where they all face inwards. Vertices at one place become one; those of no facet are left
-// out. Walls on a face of the box have kind 1 for low x, 2 for high x, ... 6 for high z; others 0.
-// Throws InputError, which names the place, unless the surface is closed and does not cross itself.
-void make_solid_of(TriMesh surface, const MeshNotes& surface_notes, SolidRun& run,
+// Fills the surface (app/closed_surface.h) with cells, checks them, and fills in the run. A surface
+// without labels that faces inwards is turned. Throws an InputError that names the place, if the
+// surface bounds no solid.
+void make_solid_of(const TriMesh& surface, const MeshNotes& notes, SolidRun& run,
                    Progress& progress);
 
 std::vector<StageCost> solid_stages();
