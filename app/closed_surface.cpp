@@ -10,6 +10,7 @@
 #include "base/box3.h"
 #include "base/check.h"
 #include "base/text.h"
+#include "base/triangle.h"
 #include "check/self_intersections.h"
 #include "check/validity.h"
 #include "mesh/first_at_place.h"
@@ -25,11 +26,11 @@ bool is_box_face(std::int64_t label) {
 }
 
 // Returns the regions' labels, ascending. Behind a facet there is no face of the box.
-std::vector<RegionLabel> labels_of(std::span<const Sides> sides, bool with_background) {
+std::vector<RegionLabel> labels_of(std::span<const Sides> sides) {
   std::vector<std::int64_t> all;
   for (const auto& [front, behind] : sides) {
     for (const std::int64_t label : {front, behind}) {
-      if (!is_box_face(label) && (with_background || label != 0)) all.push_back(label);
+      if (!is_box_face(label) && label != 0) all.push_back(label);
     }
   }
   std::ranges::sort(all);
@@ -74,8 +75,9 @@ void find_ends(const ClosedSurface& skin, const CleanMesh& clean, Faults& faults
       if (sum == 0 || region == kOutside) continue;
       const auto what = [&] {
         return text(skin.has_labels ? text("label ", skin.labels[region - 1].number, " ") : "the surface ",
-                    edge.size() == 1 ? "is open at edge "
-                                     : "has facets that do not face the same way at edge ",
+                    edge.size() % 2 == 1 || skin.has_labels
+                        ? "is open at edge "
+                        : "has triangles that face different ways at edge ",
                     edge[0].lo, "-", edge[0].hi);
       };
       faults.add(FaultKind::holes, what,
@@ -88,11 +90,11 @@ void find_ends(const ClosedSurface& skin, const CleanMesh& clean, Faults& faults
 
 }  // namespace
 
-ClosedSurface closed_surface(const TriMesh& surface, const MeshNotes& notes, bool with_background) {
+ClosedSurface closed_surface(const TriMesh& surface, const MeshNotes& notes) {
   const std::span<const Sides> sides = notes.sides;
   ClosedSurface made;
   made.has_labels = !sides.empty();
-  made.labels = sides.empty() ? std::vector{RegionLabel{1}} : labels_of(sides, with_background);
+  made.labels = sides.empty() ? std::vector{RegionLabel{1}} : labels_of(sides);
   const auto region_of = [&](std::int64_t label) {
     const auto place = std::ranges::find(made.labels, label, &RegionLabel::number);
     return place == made.labels.end() ? kOutside : RegionId(place - made.labels.begin() + 1);
@@ -125,6 +127,17 @@ ClosedSurface closed_surface(const TriMesh& surface, const MeshNotes& notes, boo
   }
   made.mesh = make_tri_mesh(std::move(points), triangles);
   made.mesh.frame = surface.frame;
+  for (const Wall& wall : made.walls) {
+    const auto& [a, b, c] = wall.v;
+    const auto& p = made.mesh.points;
+    const double sixfold = sixfold_volume(box.middle(), p[a], p[b], p[c]);
+    made.volume += ((wall.front == kOutside) - (wall.behind == kOutside)) * sixfold / 6;
+  }
+  made.is_turned = made.volume < 0 && !made.has_labels;
+  if (made.is_turned) {
+    made.volume = -made.volume;
+    for (Wall& wall : made.walls) std::swap(wall.front, wall.behind);
+  }
   return made;
 }
 
@@ -134,6 +147,9 @@ void require_closed(const ClosedSurface& surface, const std::string& name, int t
   find_ends(surface, clean, faults);
   if (faults.count(FaultKind::holes) == 0) {
     report_self_intersections(surface.mesh, clean, threads, faults);
+  }
+  if (!faults.any() && surface.volume <= 0) {
+    throw InputError(name, ": the labels in front of its triangles are those behind them");
   }
   constexpr std::pair<FaultKind, const char*> kAdvice[] = {
       {FaultKind::degenerate_triangles, ""},

@@ -411,9 +411,6 @@ constexpr OptionSpec kRest[] = {
     {"--no-fill", 0, "", kSolidOnly,
      "no points inside: cells of the surface's vertices alone, as they come",
      [](Line& l, Text, Text) { l.solid.fills = false; }},
-    {"--with-background", 0, "", kSolidOnly,
-     "label 0 of --shared is a region, too (default: it is outside)",
-     [](Line& l, Text, Text) { l.solid.with_background = true; }},
 
     {"--trace-limit", 0, "N", kTraceOnly,
      "at most N events in the page (default 200000); the run goes on without",

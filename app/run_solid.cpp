@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The solid command: a closed surface from a file in, a file of tetrahedra out; and the check
 // command of such a file.
-#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -52,7 +51,7 @@ int run_check_solid(const CommandLine& line) {
   if (line.meshes.size() > 1) {
     MeshNotes notes;
     const TriMesh mesh = read_mesh(line.meshes.back(), &notes);
-    surface = closed_surface(mesh, notes, std::ranges::count(file.labels, 0) > 0);
+    surface = closed_surface(mesh, notes);
   }
   const LabeledSolidCheck check = check_labeled(
       file.solid, std::move(labels), surface ? &surface->mesh : nullptr, line.options.threads);

@@ -13,7 +13,6 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "base/version.h"
-#include "check/quality.h"
 #include "more/solids/make_solid.h"
 
 namespace deliso {
@@ -125,21 +124,18 @@ void make_solid_of(const TriMesh& surface, const MeshNotes& notes, SolidRun& run
   const std::string& name = line.meshes.front();
   progress.show("surface", 0);
   const Stopwatch before;
-  ClosedSurface closed = closed_surface(surface, notes, line.solid.with_background);
+  ClosedSurface closed = closed_surface(surface, notes);
   if (closed.walls.empty()) {
-    throw InputError(name, closed.has_labels ? ": has no label but 0, which --with-background fills"
-                                             : ": has no triangle that bounds anything");
+    throw InputError(name, ": has no triangle that bounds anything");
   }
   run.frame = surface.frame;
   run.vertices = closed.mesh.points.size();
   run.triangles = closed.walls.size();
   require_closed(closed, name, line.options.threads);
-  const double volume = enclosed_volume(closed.mesh);
-  if (volume < 0 && !closed.has_labels) {
-    for (Wall& wall : closed.walls) std::swap(wall.front, wall.behind);
+  if (closed.is_turned) {
     add_note(run.notes, "faces-inwards", name, "its triangles face inwards; its inside is filled");
   }
-  if (line.solid.fills) require_few(line, std::abs(volume));
+  if (line.solid.fills) require_few(line, closed.volume);
   run.seconds.surface = before.seconds();
 
   progress.show("solid", 0);
@@ -184,7 +180,6 @@ void add_solid_run(ReportWriter& out, const SolidRun& run) {
   out.add("max_cell", line.solid.max_cell, "the longest edge wanted inside; null: any",
           Rule::nullable);
   out.add("fill", line.solid.fills, "points were added inside");
-  out.add("background", line.solid.with_background, "label 0 is a region, too");
   out.close();
   const RecoveryCounts& recovery = run.solid.recovery;
   out.open("recovery", "what made the surface's triangles facets of cells");
