@@ -74,7 +74,7 @@ class Recovery {
     const auto& [a, b, c] = walls_[w].v;
     const CellId cell = mesh_.cell_with(a, b, c);
     if (cell == kNoId) return false;
-    const Corners& v = mesh_.corners(cell);
+    const Tetrahedron& v = mesh_.corners(cell);
     for (int i = 0; i < 4; ++i) {
       if (v[i] != a && v[i] != b && v[i] != c) mesh_.set_wall({cell, i});
     }
@@ -223,20 +223,18 @@ class Recovery {
     return true;
   }
 
-  // Finds an edge of cells that crosses the wall, at one of its edges. Sets ring_ to it.
-  bool find_crossing_edge(const std::array<VertexId, 3>& wall) {
-    for (int k = 0; k < 3; ++k) {
-      const VertexId a = wall[k], b = wall[(k + 1) % 3];
-      const CellId cell = mesh_.cell_with(a, b);
-      if (cell == kNoId) continue;
-      find_ring(mesh_, cell, a, b, ring_);
-      const std::size_t n = ring_.v.size();
-      for (std::size_t i = 0; i + !ring_.is_closed < n; ++i) {
-        const VertexId p = ring_.v[i], q = ring_.v[(i + 1) % n];
-        if (!crosses(wall, p, q)) continue;
-        find_ring(mesh_, ring_.cells[i], p, q, ring_);
-        return true;
-      }
+  // Finds the edge of cells that crosses the wall first beside its edge number k. Sets ring_ to it.
+  bool find_crossing(const std::array<VertexId, 3>& wall, int k) {
+    const VertexId a = wall[k], b = wall[(k + 1) % 3];
+    const CellId cell = mesh_.cell_with(a, b);
+    if (cell == kNoId) return false;
+    find_ring(mesh_, cell, a, b, ring_);
+    const std::size_t n = ring_.v.size();
+    for (std::size_t i = 0; i + !ring_.is_closed < n; ++i) {
+      const VertexId p = ring_.v[i], q = ring_.v[(i + 1) % n];
+      if (!crosses(wall, p, q) || walls_.has_edge(p, q)) continue;
+      find_ring(mesh_, ring_.cells[i], p, q, ring_);
+      return true;
     }
     return false;
   }
@@ -248,8 +246,11 @@ class Recovery {
     const auto may_join = [&](VertexId p, VertexId q) { return !crosses(v, p, q); };
     for (int tries = 0; tries < kMostTries; ++tries) {
       if (mark(w)) return true;
-      if (!find_crossing_edge(v) || walls_.has_edge(ring_.a, ring_.b)) return false;
-      if (!remove_edge(mesh_, ring_, 0, may_join) && !shrink_ring(v)) return false;
+      bool moved = false;
+      for (int k = 0; k < 3 && !moved; ++k) {
+        moved = find_crossing(v, k) && (remove_edge(mesh_, ring_, 0, may_join) || shrink_ring(v));
+      }
+      if (!moved) return false;
     }
     return false;
   }
@@ -271,11 +272,14 @@ class Recovery {
 
   bool cut_wall(WallId w) {
     const std::array<VertexId, 3> v = walls_[w].v;
-    if (!find_crossing_edge(v) || walls_.has_edge(ring_.a, ring_.b)) return false;
-    const Vec3 &p = at(ring_.a), &q = at(ring_.b);
-    const double of_p = orient3d_value(at(v[0]), at(v[1]), at(v[2]), p);
-    const double of_q = orient3d_value(at(v[0]), at(v[1]), at(v[2]), q);
-    const VertexId x = star_from(mesh_, p + of_p / (of_p - of_q) * (q - p), ring_.cells, 0);
+    VertexId x = kNoId;
+    for (int k = 0; k < 3 && x == kNoId; ++k) {
+      if (!find_crossing(v, k)) continue;
+      const Vec3 &p = at(ring_.a), &q = at(ring_.b);
+      const double of_p = orient3d_value(at(v[0]), at(v[1]), at(v[2]), p);
+      const double of_q = orient3d_value(at(v[0]), at(v[1]), at(v[2]), q);
+      x = star_from(mesh_, p + of_p / (of_p - of_q) * (q - p), ring_.cells, 0);
+    }
     if (x == kNoId) return false;
     ++counts_.cut_walls;
     const Wall cut = walls_[w];
