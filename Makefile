@@ -161,14 +161,21 @@ gauntlet:
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app gauntlet
 	@$(PYTHON) -B bench/gauntlet/gauntlet.py $(BUILD) $(BUILD)/gauntlet --jobs $(JOBS) $(GAUNTLET)
 
-# The table of docs/decisions.md: what the meshes of five volumes are worth without each mechanism that
+# docs/guide/options.md, from the program's own table.
+.PHONY: options
+options:
+	@$(CONFIGURE) -B $(BUILD) >/dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app
+	@$(BUILD)/deliso help markdown >docs/guide/options.md
+
+# The table of docs/switches.md: what the meshes of five volumes are worth without each mechanism that
 # a record there defends, or with another constant; all, or those named in ONLY. Minutes for each.
 # Without the volumes in DATA built-in fields stand in, and the rows of volumes go from the table.
 .PHONY: switches
 switches:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target quality
-	@CXX='$(CXX)' JOBS=$(JOBS) sh bench/switches/run.sh $(BUILD) docs/decisions.md '$(DATA)' $(ONLY)
+	@CXX='$(CXX)' JOBS=$(JOBS) sh bench/switches/run.sh $(BUILD) docs/switches.md '$(DATA)' $(ONLY)
 
 # Whether the tests of a primitive find a wrong one: each patch of bench/mutants in turn, in a copy of
 # the sources, against the tests of its room. Lists those that survive.

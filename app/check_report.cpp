@@ -311,7 +311,7 @@ void add_faults(ReportWriter& out, const FaultList<Kind>& faults, const Frame& f
   for (std::size_t n = 0; n < static_cast<std::size_t>(Kind::count_); ++n) {
     const auto kind = static_cast<Kind>(n);
     if (!out.if_any(faults.count(kind) > 0)) continue;
-    out.open(name_of(kind), "docs/guide/report.md");
+    out.open(name_of(kind), "docs/glossary.md");
     out.add("count", faults.count(kind), "how many");
     out.add_objects("first", "one of the first few", faults.first(kind), [&](const Fault& fault) {
       out.add("what", fault.what, "one line with ids");

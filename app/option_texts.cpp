@@ -35,6 +35,10 @@ std::string commands(IsListed is_listed, std::string_view between) {
 }
 
 std::string commands_of(const OptionSpec& spec) {
+  const std::string without = commands(
+      [&](Command command) { return command < Command::help && !has_option(command, spec); }, ", ");
+  if (without.empty()) return "all";
+  if (without.find(',') == without.npos) return text("all but ", without);
   return commands([&](Command command) { return has_option(command, spec); }, ", ");
 }
 
@@ -195,16 +199,19 @@ fi
 )");
 }
 
-std::string markdown_tables() {
-  std::string page;
+std::string markdown_page() {
+  std::string page =
+      "# The options\n\nAll of them, with the commands that take them. `make options` writes this "
+      "page "
+      "from `deliso help markdown`.\n[The command line](command-line.md) says what a table "
+      "cannot.\n";
   for (const OptionGroup& group : option_groups()) {
-    page += text("| ", group.title, " | | commands |\n| --- | --- | --- |\n");
+    page += text("\n| ", group.title, " | | commands |\n| --- | --- | --- |\n");
     for (const OptionSpec& spec : group.options) {
       page += text("| `", spec.name, spec.argument.empty() ? "" : " ", escaped(spec.argument, "|"),
                    spec.letter == 0 ? "" : "`, `", short_form(spec), "` | ",
                    markdown(meanings(spec)), " | ", commands_of(spec), " |\n");
     }
-    page += "\n";
   }
   return page;
 }

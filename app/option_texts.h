@@ -34,16 +34,16 @@ inline constexpr std::string_view kExamples =
 std::string man_page();
 std::string bash_completion();
 std::string zsh_completion();
-std::string markdown_tables();  // of docs/guide/command-line.md, one for each group
-std::string report_schema();    // of what mesh, check and info write with --json (report_json.cpp)
-std::string python_options();   // python/deliso/_options.py
+std::string markdown_page();   // docs/guide/options.md
+std::string report_schema();   // of what mesh, check and info write with --json (report_json.cpp)
+std::string python_options();  // python/deliso/_options.py
 
 struct HelpText {
   std::string_view topic;  // of deliso help
   std::string (*write)();
 };
 inline constexpr HelpText kTextTable[] = {{"man", man_page},          {"bash", bash_completion},
-                                          {"zsh", zsh_completion},    {"markdown", markdown_tables},
+                                          {"zsh", zsh_completion},    {"markdown", markdown_page},
                                           {"python", python_options}, {"schema", report_schema}};
 
 }  // namespace deliso

@@ -164,7 +164,7 @@ namespace {
 void add_counters(ReportWriter& out, const Report& report) {
   out.open("counters", "what was refused or left unresolved; all 0 in a clean run");
   for (std::size_t n = 0; n < kCounterCount; ++n) {
-    out.add(name_of(static_cast<Counter>(n)), report.counters[n], "docs/guide/report.md");
+    out.add(name_of(static_cast<Counter>(n)), report.counters[n], "docs/glossary.md");
   }
   out.close();
 }
@@ -283,7 +283,7 @@ void add_label(ReportWriter& out, const SharedLabel& l) {
   out.add("triangles", l.triangles, "of its mesh");
   add_topology(out, "topology", l.mesh,
                "of its mesh; of label 0 with --cap, with the caps that only this count has");
-  add_topology(out, "exact_topology", l.exact, "of its region in T_L (docs/guide/noise.md)");
+  add_topology(out, "exact_topology", l.exact, "of its region in T_L (docs/guide/labels.md)");
   out.add("topology_exact", l.mesh == l.exact, "the two are equal");
   out.add("euler_of_samples", l.euler_of_samples,
           "of the surface around its samples, neighbors by faces, edges and corners");

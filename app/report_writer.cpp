@@ -27,7 +27,7 @@ ReportWriter::ReportWriter() : required_(1) {
             "Lengths are in the unit that is named. The scaled frame is the volume's own: its "
             "spacing, no origin, no rotation. r is a triangle's circumradius, l its shortest edge, "
             "h the distance of its circumcenter from the surface. Counters, operations, refusals "
-            "and faults are explained in docs/guide/report.md. The version (schema) rises by one "
+            "and faults are explained in docs/glossary.md. The version (schema) rises by one "
             "when a key goes, is renamed, or changes its type, unit or meaning; keys that are only "
             "added come with a new version of the program, whose schema names them.");
   json_.open_list("oneOf");
@@ -137,7 +137,7 @@ void add_diagnostics(ReportWriter& out, const Diagnostics& notes) {
   const std::vector<std::string> codes(std::begin(kCodes), std::end(kCodes));
   out.add_objects("diagnostics", "notes and warnings, in the order in which they came", notes,
                   [&](const Diagnostic& item) {
-                    out.add_choice("code", item.code.number(), codes, "docs/guide/report.md");
+                    out.add_choice("code", item.code.number(), codes, "docs/glossary.md");
                     out.add_choice("severity", static_cast<std::size_t>(item.severity),
                                    names_up_to(Severity::warning),
                                    "a warning: the result may not be the one wanted");

@@ -163,9 +163,9 @@ bool is_far(const Grid& volume) {
 
 // Counts faults of the points as the file will have them: single precision rounds them, and so do
 // doubles far from the origin; caps may cross the surface, and so may triangles of a contour that
-// crossed itself. No other step makes triangles cross (docs/proof.md, Corollary 7.1), so no other
-// mesh is searched. If there are some, counts those of the doubles too (far from the origin of the
-// mesh at home), to see whether rounding is the cause, and tries another rounding to floats.
+// crossed itself. No other step makes triangles cross (docs/proof-more.md, Corollary 7.1), so no
+// other mesh is searched. If there are some, counts those of the doubles too (far from the origin
+// of the mesh at home), to see whether rounding is the cause, and tries another rounding to floats.
 AsWritten as_written(const TriMesh& mesh, const MeshRun& run, Diagnostics& notes) {
   const CommandLine& line = run.line;
   const MeshWriteOptions& write = line.mesh.write;

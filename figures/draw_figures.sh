@@ -134,7 +134,7 @@ show what the exact program, without options, makes of the same surface. `make f
 commands below; volumes are those of [bench/datasets.tsv](../../bench/datasets.tsv). The outside of a surface is blue, the
 inside orange.
 
-All figures here, in [the guide](../guide/README.md#understanding) (SVG) and on [the page](../index.html) may be taken for slides and papers
+All figures here, in [the guide](../guide/README.md#learn) (SVG) and on [the page](../index.html) may be taken for slides and papers
 under the [license](../../LICENSE), MIT. Name the program ([how to cite](../bibliography.md#how-to-cite)).
 END
 

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: MIT
-# Do the records of a page, its table and the switches fit together? Each record (###) has a paragraph
-# "**Switch.**" or "**Switches.**" with names in backticks, or "**No switch.**" that says why; each
-# switch is named by its record, and has a row between the marks of the table, and no other row.
-# Usage: awk -v patches='NAME<tab>RECORD, a line each' -f check.awk PAGE.md
+# Do the records of a page, the table of another and the switches fit together? Each record (###) has a
+# paragraph "**Switch.**" or "**Switches.**" with names in backticks, or "**No switch.**" that says why,
+# or its folder (##) has that before the first record. Each switch is named by its record, and has a row
+# between the marks of the table, and no other row.
+# Usage: awk -v patches='NAME<tab>RECORD, a line each' -f check.awk RECORDS.md TABLE.md
 
 function wrong(what) {
   print what
   failed = 1
 }
 function end_record() {
-  if (title != "" && !told) wrong("\"" title "\": names no switch, and does not say why")
+  if (title != "" && !told && !folder_told) wrong("\"" title "\": names no switch, and does not say why")
   told = 0
 }
 BEGIN {
@@ -20,9 +21,10 @@ BEGIN {
   }
 }
 /^##/ { end_record(); title = "" }
+/^## / { folder_told = 0 }
 /^### / { title = substr($0, 5) }
 /^$/ { names = 0 }
-/^\*\*No switch\.\*\* ./ { told = 1 }
+/^\*\*No switch\.\*\* ./ { if (title == "") folder_told = 1; else told = 1 }
 /^\*\*Switch(es)?\.\*\*/ { told = names = 1 }
 names {
   count = split($0, word, "`")

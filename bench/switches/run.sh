@@ -28,7 +28,8 @@ if [ "$1" = --check ]; then
     esac
   done
   patches=$(for name in $(all_patches); do printf '%s\t%s\n' "$name" "$(head_of "$name" Record)"; done)
-  awk -v patches="$patches" -f "$here/check.awk" "$source/docs/decisions.md" || wrong=1
+  awk -v patches="$patches" -f "$here/check.awk" "$source/docs/decisions.md" \
+    "$source/docs/switches.md" || wrong=1
   echo "$(all_patches | wc -l | tr -d ' ') switches"
   exit "$wrong"
 fi

@@ -10,7 +10,7 @@
 //            (more/bodies/refine_sheets.h).
 //
 // Every change keeps the topology, and none that makes facets cross stays. So each body is bounded
-// by a closed manifold with the topology of its subcomplex (docs/proof.md).
+// by a closed manifold with the topology of its subcomplex (docs/proof-more.md).
 #pragma once
 
 #include <array>

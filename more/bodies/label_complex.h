@@ -9,7 +9,7 @@
 // differ; of a voxel one that keeps others apart on its surface. In a tetrahedron a point
 // belongs to the body with the largest sum of barycentric coordinates. So a body's region is a
 // regular neighborhood of the subcomplex that its points span, its boundary is a manifold, and no
-// direction is preferred: a mirrored volume has the mirrored topology (docs/proof.md).
+// direction is preferred: a mirrored volume has the mirrored topology (docs/proof-more.md).
 //
 // How it is made, with fewer points:
 //   - an axis edge between two bodies has a point, where their fields are equal;

@@ -54,7 +54,7 @@ class Error(Exception):
 class Warning(UserWarning):
     """A warning of the library: the result may not be the one wanted.
 
-    code    names its kind: docs/guide/report.md has the list
+    code    names its kind: docs/glossary.md has the list
     file    that it is about, or an empty text
     values  numbers of the words, by name
 

@@ -25,7 +25,7 @@ constexpr std::string_view name_of(Severity severity) {
   return severity == Severity::note ? "note" : "warning";
 }
 
-// All codes. docs/guide/report.md explains them.
+// All codes. docs/glossary.md explains them.
 inline constexpr std::string_view kCodes[] = {
     "array-chosen",
     "axis-without-direction",

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Welds the meshes of blocks into one. Blocks that meet have the same vertices on their seam, to
 // the last bit, and nothing else of either lies in the face between them (J1 and J2 of
-// docs/proof.md, Theorem 7). So vertices at one place are one vertex, and every edge of a seam has
-// one facet on either side. The boundary curves of blocks continue each other, and are joined into
-// loops of the whole: on the box, and along seams to blocks that are not there.
+// docs/proof-more.md, Theorem 7). So vertices at one place are one vertex, and every edge of a seam
+// has one facet on either side. The boundary curves of blocks continue each other, and are joined
+// into loops of the whole: on the box, and along seams to blocks that are not there.
 #pragma once
 
 #include <functional>

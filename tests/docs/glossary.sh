@@ -22,6 +22,8 @@ sed -n '/^## Words not used/,$s/^| \([^|]*\) |.*/\1/p' docs/glossary.md |
 [ "$(wc -l <"$work/words")" -ge 5 ]
 pattern=$(sed 's/$/s?/' "$work/words" | paste -sd'|' -)
 sed -n 's/^| <a id="\([^"]*\)">.*/\1/p' docs/glossary.md | sort >"$work/ids"
+# What a page may link: these, and the headings.
+sed -n 's/^## //p' docs/glossary.md | tr 'A-Z ' 'a-z-' | sort - "$work/ids" >"$work/anchors"
 # The first column: what is explained, a word a line.
 sed -n 's/^| <a id="[^"]*"><\/a>\([^|]*\)|.*/\1/p' docs/glossary.md |
   sed 's/\[\(.*\)\]([^)]*)/\1/;s/⁺//g;s/⁻//g;s/₀//g;s/₁//g;s/₂//g' | tr -s ' ,\\=' '\n' | sort -u >"$work/explained"
@@ -51,7 +53,7 @@ words_of() {
 }
 links_of() {
   grep -o 'glossary\.md#[^)]*' "$1" | sed 's/.*#//' | sort -u |
-    comm -23 - "$work/ids" | sed "s|^|FAULT: $1: no entry in the glossary: |" || true
+    comm -23 - "$work/anchors" | sed "s|^|FAULT: $1: no entry in the glossary: |" || true
   if grep -q '^## Exercises' "$1" && ! grep -q 'glossary\.md#' "$1"; then
     echo "FAULT: $1 links no term"
   fi
@@ -110,8 +112,8 @@ must_find "$(names_of "$work/page" | wc -l)" 2 names
   for page in README.md docs/*.md docs/guide/*.md; do
     links_of "$page"
     [ "$page" = docs/glossary.md ] || words_of "$page"
-    # docs/proof.md names its points, curves and maps itself.
-    [ "$page" = docs/proof.md ] || symbols_of "$page"
+    # Proofs name their points, curves and maps themselves.
+    case $page in docs/proof*) ;; *) symbols_of "$page" ;; esac
   done
 } | tee "$work/faults"
 echo "$(wc -l <"$work/ids") entries"

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # The counts in Tables 2 to 5 of docs/results.md, of points at the switch, and in its table of built-in
 # fields, are those of this program: counts are the same on any machine. After a change `make tables DATA=folder` makes the page
-# anew.
+# anew. What sentences say of columns, from the least to the largest, is so (builtin).
 # Usage: results.sh builtin|volumes SOURCE PROGRAM
 #   volumes: those in DELISO_DATA; 77 without that
 set -eu
@@ -65,7 +65,25 @@ told_searches() {
   told "$cpi_rf_hit" "$1" "$2" 'CPI*_RF'
 }
 
+# column TITLE COLUMN: of the eight pairs, a line each, the least first.
+column() {
+  for name in FUEL ATOM ENGINE LEG TOOTH BABY1 BABY2 ANEURISM; do cell "$1" "$name" "$2"; done | sort -n
+}
+# from_to FORMAT: of the first and the last of the lines that are read.
+from_to() { awk -v format="$1" 'NR == 1 { least = $1 } END { printf format, least, $1 }'; }
+# says PAGE WORDS
+says() {
+  tr -s ' \n' '  ' <"$source/$1" | grep -qF -e "$2" || { echo "$1: does not say '$2'"; faults=1; }
+}
+
 if [ "$which" = builtin ]; then
+  says docs/results.md "| $(column 'Table 2' speedup | from_to '%.1f to %.1f times') |"
+  says docs/results.md "| $(column 'Table 3: seconds' t_RC/t_RF | from_to '%.0f to %.0f times'), though"
+  says docs/results.md "| $(column 'Table 5' 'restricted, %' | from_to '%.2f to %g %%') ("
+  exact=$(column 'Points at the switch' right | grep -cx 5)
+  says README.md "of eight volumes $(echo one two three four five six seven | cut -d ' ' -f "$exact") come out exact"
+  says README.md "takes $(sed -n '/^## Beside other/,/^## A given/p' "$source/docs/performance.md" |
+    sed -n 's/^| [A-Z].* | \([0-9.]*\); .* | .* |$/\1/p' | sort -n | from_to '%s to %s') times as long"
   fields='Built-in fields'
   for field in builtin:fuel:64 builtin:orbital:64; do
     run "$field" "$(cell "$fields" "$field" isovalue)" 50

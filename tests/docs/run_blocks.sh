@@ -132,7 +132,7 @@ done <"$blocks/index"
 
 # In chapters a count in a sentence is one that was tested above. Tables may have measurements.
 case $page in
-  README.md | docs/guide/* | docs/proof.md | tests/docs/faulty_page.md)
+  README.md | docs/guide/* | docs/proof*.md | tests/docs/faulty_page.md)
     awk -F '\t' '$3 == "number" { print $2, $4 }' "$blocks/index" >"$blocks/numbers"
     while read -r line number; do
       grep -qwF -e "$number" "$blocks/tested" || fault "no test reads $number"

@@ -5,8 +5,8 @@
 // belongs to the body of one of its corners, with the largest mean of the fields. Each voxel is cut
 // into 24 tetrahedra, from its middle over the middles of its faces to the ends of its edges. The
 // points of a body span a full subcomplex S. Its region R is a regular neighborhood of S
-// (docs/proof.md), and so is R's part of the box's surface one of S', the simplices of S there.
-// Hence
+// (docs/proof-more.md), and so is R's part of the box's surface one of S', the simplices of S
+// there. Hence
 //   O1  R has the components of S. Around each there is one surface for each component of the other
 //       points, and one outside of the box: the bounded ones lie within the component's own box.
 //   O2  The closed surface of R has the Euler number 2 chi(S).
