@@ -155,13 +155,19 @@ void require_closed(const ClosedSurface& surface, const std::string& name, int t
       {FaultKind::degenerate_triangles, ""},
       {FaultKind::duplicate_triangles, ""},
       {FaultKind::holes, "a solid needs a closed surface, which deliso mesh makes with --cap"},
+      {FaultKind::non_manifold_edges, "a solid needs a manifold"},
+      {FaultKind::non_manifold_vertices, "a solid needs a manifold"},
       {FaultKind::self_intersections, "a solid needs a surface that does not cross itself"},
       {FaultKind::not_measured, ""}};
   for (const auto& [kind, advice] : kAdvice) {
-    if (faults.count(kind) == 0) continue;
+    const bool is_of_labels = kind == FaultKind::non_manifold_edges ||
+                              kind == FaultKind::non_manifold_vertices;  // some have them anyway
+    if (faults.count(kind) == 0 || (is_of_labels && surface.has_labels)) continue;
     const Fault& fault = faults.first(kind).front();
     const std::size_t more = faults.count(kind) - 1;
-    const bool is_rounded = kind != FaultKind::holes && digits_of(surface.mesh.points).is_single;
+    const bool is_rounded =
+        (kind == FaultKind::degenerate_triangles || kind == FaultKind::self_intersections) &&
+        digits_of(surface.mesh.points).is_single;
     throw InputError(name, ": ", fault.what, " at ", place_text(fault.at),
                      more > 0 ? text(", and ", grouped(more), " more") : "",
                      is_rounded ? text("; single precision may be why: ", kKeepDoubles)

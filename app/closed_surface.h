@@ -31,8 +31,8 @@ struct ClosedSurface {
 // x, 2 for high x, ... 6 for high z; others 0. May have no wall.
 ClosedSurface closed_surface(const TriMesh& surface, const MeshNotes& notes);
 
-// Throws an InputError that names the place unless the surface is closed, facets face the same way,
-// and do not cross. pre: there are walls.
+// Throws an InputError that names the place unless the surface is closed, facets face the same way
+// and do not cross, and without labels it is a manifold. pre: there are walls.
 void require_closed(const ClosedSurface& surface, const std::string& name, int threads);
 
 }  // namespace deliso

@@ -305,7 +305,7 @@ void check_combination(CommandLine& line) {
   refuse_if(line.output == "-" && line.json == "-",
             "-o and --json cannot both go to standard output");
   if (line.command == Command::solid) return check_solid(line);
-  refuse_if(line.solid.format.has_value(), "--format of a mesh is none of a solid: deliso solid");
+  refuse_if(line.solid.format.has_value(), "--format of a mesh is none of a solid: deliso solid writes these");
   if (line.command == Command::join) return check_join(line);
   if (line.command == Command::check) check_streams(line);
   take_builtin_isovalue(line);

@@ -28,7 +28,7 @@ if "$python" -m pip --version >/dev/null 2>&1; then
   "$python" -m pip install --quiet --no-index --no-deps --no-compile --target "$work/by_pip" "$work"/*.whl
   diff -r "$work/installed/deliso" "$work/by_pip/deliso"
 fi
-for test in test_deliso test_parts; do
+for test in test_deliso test_parts test_solids; do
   PYTHONPATH=$work/installed "$python" "$1/tests/python/$test.py" "$3"
 done
 for page in README.md docs/guide/python.md; do
