@@ -5,11 +5,14 @@
 // on it within a tolerance, and their areas add up to its own. They do not overlap, since facets of
 // cells that do not overlap do not.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/text.h"
 #include "check/solid_facets.h"
 #include "check/triangle_tree.h"
+#include "exact/predicates.h"
 #include "mesh/first_at_place.h"
 
 namespace deliso {
@@ -17,6 +20,24 @@ namespace {
 
 double twice_area(const std::vector<Vec3>& points, const Triangle& t) {
   return length(area_normal(points[t[0]], points[t[1]], points[t[2]]));
+}
+
+// Returns how far p is from the triangle's plane, or in it from the triangle, the larger one.
+// Needles leave distance2_to_triangle() no digit; here the height over the plane is exact but for a
+// rounding.
+double offset_from(const Vec3& p, const std::array<Vec3, 3>& t) {
+  const Vec3 normal = area_normal(t[0], t[1], t[2]);
+  const double area = length(normal);
+  if (!(area > 0)) return std::numeric_limits<double>::infinity();
+  double offset = std::fabs(orient3d_value(t[0], t[1], t[2], p)) / area;
+  double longest = 0, beyond = 0;  // the ends of the longest edge
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &a = t[i], edge = t[(i + 1) % 3] - a;
+    const double size = length(edge), along = dot(edge, p - a) / size;
+    offset = std::max(offset, dot(cross(edge, normal), p - a) / (size * area));
+    if (size > longest) longest = size, beyond = std::max(-along, along - size);
+  }
+  return std::max(offset, beyond);
 }
 
 // What is left to compare: triangles that are no facets, and facets that are no triangles.
@@ -35,27 +56,30 @@ std::vector<double> assign_facets(const Solid& solid, const std::vector<Vec3>& p
   for (const Triangle& facet : rest.facets) {
     const auto& [a, b, c] = facet;
     const Box3 box = box_of(solid.points[a], solid.points[b], solid.points[c]).grown(tolerance);
-    NearestTriangle best;
+    FaceId nearest = kNoId;
+    double least = tolerance;
     std::size_t boxes = 0;
     tree.for_each_leaf_at(box, 0, boxes, [&](std::size_t leaf) {
       for (const FaceId f : tree.leaf(leaf)) {
-        double farthest = 0;
+        const Triangle& t = rest.triangles[f];
+        double offset = 0;
         for (const VertexId v : facet) {
-          farthest = std::max(farthest, tree.distance2(f, solid.points[v]));
+          offset = std::max(
+              offset, offset_from(solid.points[v], {points[t[0]], points[t[1]], points[t[2]]}));
         }
-        if (farthest < best.distance2) best = {f, farthest};
+        if (offset <= least) least = offset, nearest = f;
       }
       return true;
     });
-    if (!(best.distance2 <= tolerance * tolerance)) {
+    if (nearest == kNoId) {
       faults.add(
           SolidFaultKind::extra_facets,
           [&] { return text("facet ", name_of_corners(facet), " is in no triangle"); },
           middle_of(solid.points, facet));
       continue;
     }
-    covered[best.triangle] += twice_area(solid.points, facet);
-    counts.largest_offset = std::max(counts.largest_offset, std::sqrt(best.distance2));
+    covered[nearest] += twice_area(solid.points, facet);
+    counts.largest_offset = std::max(counts.largest_offset, least);
     ++counts.parts;
   }
   return covered;
