@@ -74,11 +74,12 @@ void find_ends(const ClosedSurface& skin, const CleanMesh& clean, Faults& faults
       for (const auto& [other, step] : around) sum += other == region ? step : 0;
       if (sum == 0 || region == kOutside) continue;
       const auto what = [&] {
-        return text(skin.has_labels ? text("label ", skin.labels[region - 1].number, " ") : "the surface ",
-                    edge.size() % 2 == 1 || skin.has_labels
-                        ? "is open at edge "
-                        : "has triangles that face different ways at edge ",
-                    edge[0].lo, "-", edge[0].hi);
+        return text(
+            skin.has_labels ? text("label ", skin.labels[region - 1].number, " ") : "the surface ",
+            edge.size() % 2 == 1 || skin.has_labels
+                ? "is open at edge "
+                : "has triangles that face different ways at edge ",
+            edge[0].lo, "-", edge[0].hi);
       };
       faults.add(FaultKind::holes, what,
                  .5 * (skin.mesh.points[edge[0].lo] + skin.mesh.points[edge[0].hi]));

@@ -26,9 +26,9 @@ struct ClosedSurface {
 
 // Returns the surface as walls. Of labels (MeshNotes::sides) each is a region, but for 0 and the
 // faces of the box, which are outside. Else all that is behind facets is region 1, or all in front
-// if the surface faces inwards. Vertices at one place become one. Facets with two corners there, or the same region on
-// both sides, are left out, and vertices of no facet. Walls on a face of the box have kind 1 for low
-// x, 2 for high x, ... 6 for high z; others 0. May have no wall.
+// if the surface faces inwards. Vertices at one place become one. Facets with two corners there, or
+// the same region on both sides, are left out, and vertices of no facet. Walls on a face of the box
+// have kind 1 for low x, 2 for high x, ... 6 for high z; others 0. May have no wall.
 ClosedSurface closed_surface(const TriMesh& surface, const MeshNotes& notes);
 
 // Throws an InputError that names the place unless the surface is closed, facets face the same way

@@ -276,7 +276,8 @@ void check_solid(const CommandLine& line) {
   refuse_if(line.meshes.empty(), "no surface given: deliso solid MESH -o SOLID");
   refuse_if(line.meshes.size() > 1, "a solid is of one surface: its labels are those of --shared");
   refuse_if(line.mesh.write.format.has_value(), "--format of a solid is mesh, vtu, msh or tetgen");
-  if (!line.solid.format && !line.output.empty() && line.output != "-") solid_format_of(line.output);
+  if (!line.solid.format && !line.output.empty() && line.output != "-")
+    solid_format_of(line.output);
 }
 
 // Checks the conditions between options, after all are read.
@@ -293,7 +294,8 @@ void check_combination(CommandLine& line) {
   if (line.command == Command::check && has_mesh_ending(line.input)) {
     line.meshes.push_back(std::exchange(line.input, {}));
     check_streams(line);
-    return check_meshes(line, "between two meshes", {"--max-distance", "--json", "--quiet", "--threads"});
+    return check_meshes(line, "between two meshes",
+                        {"--max-distance", "--json", "--quiet", "--threads"});
   }
   refuse_if(line.command == Command::check && !line.meshes.empty() && line.input.empty(),
             "check needs a mesh and a volume: deliso check MESH INPUT --iso K; or two meshes");
@@ -305,7 +307,8 @@ void check_combination(CommandLine& line) {
   refuse_if(line.output == "-" && line.json == "-",
             "-o and --json cannot both go to standard output");
   if (line.command == Command::solid) return check_solid(line);
-  refuse_if(line.solid.format.has_value(), "--format of a mesh is none of a solid: deliso solid writes these");
+  refuse_if(line.solid.format.has_value(),
+            "--format of a mesh is none of a solid: deliso solid writes these");
   if (line.command == Command::join) return check_join(line);
   if (line.command == Command::check) check_streams(line);
   take_builtin_isovalue(line);

@@ -101,7 +101,7 @@ struct SolidChoice {
   std::optional<SolidFormat> format;  // absent: by the output's ending, Medit on standard output
   double growth = .35;                // how much longer edges may become, by distance
   double max_cell = std::numeric_limits<double>::infinity();
-  bool fills = true;                  // with points inside
+  bool fills = true;  // with points inside
 };
 
 struct TraceChoice {

@@ -434,10 +434,13 @@ constexpr auto kOptions = [] {
   return all;
 }();
 // Headings, and the first option below each.
-constexpr std::pair<std::string_view, std::string_view> kGroups[] = {
-    {"Input and output", "--iso"}, {"Meshing", "--max-distance"}, {"Raw files", "--dims"},
-    {"Pictures", "--view"},        {"Solids", "--growth"},
-    {"Traces", "--trace-limit"},   {"Help", "--help"}};
+constexpr std::pair<std::string_view, std::string_view> kGroups[] = {{"Input and output", "--iso"},
+                                                                     {"Meshing", "--max-distance"},
+                                                                     {"Raw files", "--dims"},
+                                                                     {"Pictures", "--view"},
+                                                                     {"Solids", "--growth"},
+                                                                     {"Traces", "--trace-limit"},
+                                                                     {"Help", "--help"}};
 
 constexpr CommandSpec kCommandTable[] = {
     {Command::mesh, "mesh", "[mesh] INPUT --iso K [-o FILE] [options]",

@@ -27,8 +27,8 @@ std::vector<LabeledRegion> regions_of(const LabeledSolidCheck& check) {
   std::vector<LabeledRegion> regions;
   for (std::size_t n = 0; n < check.labels.size(); ++n) {
     const bool has_cells = n + 1 < check.result.regions.size();
-    regions.push_back({check.labels[n].number,
-                       has_cells ? check.result.regions[n + 1] : RegionVolume{}});
+    regions.push_back(
+        {check.labels[n].number, has_cells ? check.result.regions[n + 1] : RegionVolume{}});
   }
   return regions;
 }
@@ -36,7 +36,7 @@ std::vector<LabeledRegion> regions_of(const LabeledSolidCheck& check) {
 // Throws if --max-cell asks for more cells than there can be numbers of.
 void require_few(const CommandLine& line, double volume) {
   constexpr double kMostCells = 4e8, kCellsOfCube = 8.5;  // regular, with edges of 1
-  const double cells = kCellsOfCube * volume / std::pow(line.solid.max_cell, 3);
+  const double edge = line.solid.max_cell, cells = kCellsOfCube * volume / (edge * edge * edge);
   if (cells <= kMostCells) return;
   throw InputError("--max-cell ", line.solid.max_cell, ": some ",
                    grouped(static_cast<std::uint64_t>(std::min(cells, 1e18) / 1e6)),
@@ -62,9 +62,9 @@ std::string solid_check_text(const LabeledSolidCheck& check) {
                 fixed(angles.at_1_percent, 2), ", 5 % below ", fixed(angles.at_5_percent, 2),
                 ", largest ", fixed(angles.largest, 2), "\n");
   if (const SurfaceInSolid& surface = result.surface; surface.triangles > 0) {
-    lines += text("boundary  ", grouped(surface.whole), " of ",
-                  counted(surface.triangles, "triangle"), " whole, ", grouped(surface.cut),
-                  " cut into ", grouped(surface.parts), "\n");
+    lines +=
+        text("boundary  ", grouped(surface.whole), " of ", counted(surface.triangles, "triangle"),
+             " whole, ", grouped(surface.cut), " cut into ", grouped(surface.parts), "\n");
   }
   return lines + faults_text(result.faults, {});
 }
@@ -150,17 +150,19 @@ void make_solid_of(const TriMesh& surface, const MeshNotes& notes, SolidRun& run
 
   progress.show("check", 0);
   const Stopwatch checking;
-  run.check = check_labeled(run.solid, std::move(closed.labels), &closed.mesh, line.options.threads);
+  run.check =
+      check_labeled(run.solid, std::move(closed.labels), &closed.mesh, line.options.threads);
   run.cost.check = checking.seconds();
 }
 
 std::string report_text(const SolidRun& run) {
   const RecoveryCounts& recovery = run.solid.recovery;
-  std::string lines = text(
-      "surface   ", one_line(run.line.meshes.front()), ": ",
-      counted(run.vertices, "vertex", "vertices"), ", ", counted(run.triangles, "triangle"),
-      "\n          ", grouped(recovery.missing_walls), " not Delaunay with its vertices; cut: ",
-      counted(recovery.cut_edges, "edge"), ", ", counted(recovery.cut_walls, "triangle"), "\n");
+  std::string lines =
+      text("surface   ", one_line(run.line.meshes.front()), ": ",
+           counted(run.vertices, "vertex", "vertices"), ", ", counted(run.triangles, "triangle"),
+           "\n          ", grouped(recovery.missing_walls),
+           " not Delaunay with its vertices; cut: ", counted(recovery.cut_edges, "edge"), ", ",
+           counted(recovery.cut_walls, "triangle"), "\n");
   for (const Diagnostic& note : run.notes) lines += text("note      ", text_of(note), "\n");
   const std::string& output = run.line.output;
   return text(lines, "solid     ", counted(run.solid.points.size(), "point"), ", ",
@@ -195,7 +197,8 @@ void add_solid_run(ReportWriter& out, const SolidRun& run) {
   add_solid_check(out, run.check);
   out.open("seconds", "where the time went");
   out.add_seconds("read", run.seconds.read, "reading the surface");
-  out.add_seconds("surface", run.seconds.surface, "whether it is closed, and does not cross itself");
+  out.add_seconds("surface", run.seconds.surface,
+                  "whether it is closed, and does not cross itself");
   out.add_seconds("solid", run.seconds.solid, "making the solid");
   out.add_seconds("check", run.cost.check, "checking it");
   out.add_seconds("write", run.cost.write, "writing it");

@@ -21,7 +21,7 @@ struct deliso_solid {
   Solid solid;
   Frame frame;
   SolidWriteOptions write;
-  std::vector<std::int64_t> labels;   // of each cell
+  std::vector<std::int64_t> labels;  // of each cell
   std::vector<Triangle> walls;
   std::vector<std::uint32_t> kinds;
   std::string report;

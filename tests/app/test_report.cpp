@@ -371,7 +371,7 @@ TEST_CASE("every word of the reports is explained in the dictionary, once") {
         "exact",         "solid",      "distance", "quality", "delaunay",  "mesh->",  "->mesh",
         "criteria",      "boundary",   "padding",  "try",     "filter",    "label",   "volume",
         "largest",       "sizes",      "count",    "found",   "certified", "fields",  "labels",
-        "shared",        "border",   "surface",  "region",  "angles"}) {
+        "shared",        "border",     "surface",  "region",  "angles"}) {
     check_row(word);
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The solid command: what it makes of surfaces of other programs and of labels, and what it refuses.
+// The solid command: what it makes of surfaces of other programs and of labels, and what it
+// refuses.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -25,8 +26,7 @@ using namespace deliso::test;
 namespace {
 
 // A cube of side 1, as corners and triangles of an OFF file.
-constexpr const char* kCorners =
-    "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
+constexpr const char* kCorners = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
 const std::vector<std::string> kTriangles{"3 0 2 1", "3 0 3 2", "3 4 5 6", "3 4 6 7",
                                           "3 0 1 5", "3 0 5 4", "3 1 2 6", "3 1 6 5",
                                           "3 2 3 7", "3 2 7 6", "3 3 0 4", "3 3 4 7"};
@@ -55,7 +55,9 @@ void make(Made& made, const std::string& file, const std::string& options = "") 
   });
 }
 
-double volume_of(const SolidRun& run) { return run.check.result.volume; }
+double volume_of(const SolidRun& run) {
+  return run.check.result.volume;
+}
 
 }  // namespace
 
@@ -93,7 +95,8 @@ TEST_CASE("vertices at one place are one, and those of no triangle are left out"
   }
   for (const std::string& t : kTriangles) {
     const auto n = std::ranges::count(points, '\n');
-    for (const std::size_t place : {2, 4, 6}) points += corners[static_cast<std::size_t>(t[place] - '0')];
+    for (const std::size_t place : {2, 4, 6})
+      points += corners[static_cast<std::size_t>(t[place] - '0')];
     triangles.push_back(text("3 ", n, " ", n + 1, " ", n + 2));
   }
   Made made;
@@ -130,7 +133,8 @@ TEST_CASE("cubes that touch are refused, and one with a cavity is filled") {
     Made made;
     make(made, folder.write("edge.off", off(points, triangles)));
     CAPTURE(made.refusal);
-    CHECK(made.refusal.find("edge 2-6 is of triangles 6 9 17 22 at (1 1 0.5); a solid needs a") != std::string::npos);
+    CHECK(made.refusal.find("edge 2-6 is of triangles 6 9 17 22 at (1 1 0.5); a solid needs a") !=
+          std::string::npos);
   }
   SUBCASE("a cavity") {
     add(cube(.25, .25, .5, 8, true));
@@ -159,13 +163,15 @@ TEST_CASE("a surface that bounds no solid is refused with its place") {
   };
   std::vector<std::string> open = kTriangles;
   open.pop_back();
-  CHECK(refusal(kCorners, open).starts_with(
-      "bad.off: the surface is open at edge 3-4 at (0 0.5 0.5), and 2 more; a solid needs a closed"));
+  CHECK(refusal(kCorners, open)
+            .starts_with("bad.off: the surface is open at edge 3-4 at (0 0.5 0.5), and 2 more; a "
+                         "solid needs a closed"));
   std::vector<std::string> turned = kTriangles;
   turned[4] = "3 0 5 1";
-  CHECK(refusal(kCorners, turned).starts_with(
-      "bad.off: the surface has triangles that face different ways at edge 0-1 at (0.5 0 0), and 2 "
-      "more"));
+  CHECK(refusal(kCorners, turned)
+            .starts_with("bad.off: the surface has triangles that face different ways at edge 0-1 "
+                         "at (0.5 0 0), and 2 "
+                         "more"));
   std::vector<std::string> twice = kTriangles;
   twice.push_back("3 0 2 1");
   CHECK(refusal(kCorners, twice).find("is there already as 0 at (0 0 0)") != std::string::npos);
@@ -209,7 +215,8 @@ TEST_CASE("labels are regions with a common wall, and the faces of the box are k
   CHECK(open.refusal.find("label 4 is open at edge ") != std::string::npos);
 }
 
-TEST_CASE("a solid's file is read back and checked against its surface, and another surface fails") {
+TEST_CASE(
+    "a solid's file is read back and checked against its surface, and another surface fails") {
   const TemporaryFolder folder;
   const std::string surface = folder / "a.ply", other = folder / "b.ply";
   run_mesh(parsed("builtin:torus:16 -q -o " + surface));

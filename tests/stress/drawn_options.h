@@ -30,8 +30,8 @@ struct Outcome {
   std::string fault;  // of the mesh's invariants
   TriMesh mesh;
   std::vector<std::array<std::int64_t, 2>> sides;  // of shared labels
-  std::size_t vertices = 0, triangles = 0;  // of the surface, without caps
-  std::size_t chosen_components = 0;        // of the exact contour
+  std::size_t vertices = 0, triangles = 0;         // of the surface, without caps
+  std::size_t chosen_components = 0;               // of the exact contour
   bool capped = false;
   MeshQuality quality;  // of the surface
   Verification verification;

@@ -77,8 +77,8 @@ constexpr std::size_t kKinds = 9;
 enum Column : std::size_t { drawn, refused, crashed, hung };
 constexpr std::size_t kFirstKind = 4;
 constexpr std::array<std::string_view, kFirstKind + kKinds> kColumns{
-    "drawn", "refused", "crashed", "hung", "broken", "turned",
-    "check", "spike",   "far",     "slow", "asked",  "solid", "close"};
+    "drawn", "refused", "crashed", "hung",  "broken", "turned", "check",
+    "spike", "far",     "slow",    "asked", "solid",  "close"};
 using Counts = Row<kColumns.size()>;
 
 // Most of the meshes, one in so many, that may have close places: a plateau at the isovalue, where
