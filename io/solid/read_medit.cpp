@@ -16,7 +16,7 @@ struct SkippedRow {
   int numbers;
 };
 constexpr SkippedRow kSkipped[] = {{"Edges", 3},
-                                   {"Tetrahedron", 1},
+                                   {"Corners", 1},
                                    {"Ridges", 1},
                                    {"RequiredVertices", 1},
                                    {"RequiredEdges", 1},

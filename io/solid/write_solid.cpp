@@ -92,9 +92,15 @@ bool has_solid_ending(std::string_view path) {
 Solid written_solid(const Solid& solid, const Frame& frame) {
   Solid written = solid;
   for (Vec3& p : written.points) p = frame.to_world(p);
-  if (!frame.left_handed()) return written;
-  for (Tetrahedron& v : written.cells) std::swap(v[2], v[3]);
-  for (Wall& wall : written.walls) std::swap(wall.v[1], wall.v[2]);
+  const bool mirrors = frame.left_handed();
+  for (Tetrahedron& v : written.cells) {
+    if (mirrors) std::swap(v[2], v[3]);
+  }
+  for (Wall& wall : written.walls) {
+    const bool is_turned = wall.front > wall.behind;
+    if (is_turned) std::swap(wall.front, wall.behind);
+    if (is_turned != mirrors) std::swap(wall.v[1], wall.v[2]);
+  }
   return written;
 }
 

@@ -7,7 +7,8 @@
 //
 //   W1  Points, cells and walls are in the order of the solid.
 //   W2  Cells are positively oriented: det[b - a, c - a, d - a] > 0, in all four formats.
-//   W3  A wall is counter-clockwise seen from its front.
+//   W3  A wall is counter-clockwise seen from its front, where the region of the smaller number is:
+//       outside, or the first of the two.
 //   W4  A region has the number of its label; if these are not all from 1 to 2^31 - 1, in VTK's
 //       format still, in others its own. Walls have a marker for each triple of kind, region in
 //       front and region behind, counted from 1 in that order. A table in the comments explains
@@ -63,9 +64,8 @@ struct SolidWriteOptions {
 void write_solid(const Solid& solid, const Frame& frame, const std::string& path,
                  const SolidWriteOptions& options = {});
 
-// Returns the solid as its file will have it: points in the world, cells and walls turned if the
-// frame mirrors. Rounding in the world may turn the flattest of cells inside out: check_solid
-// tells.
+// Returns the solid as its file will have it: points in the world, cells and walls turned as W2 and
+// W3 ask. Rounding in the world may turn the flattest of cells inside out: check_solid tells.
 Solid written_solid(const Solid& solid, const Frame& frame);
 
 }  // namespace deliso

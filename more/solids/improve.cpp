@@ -58,7 +58,7 @@ class Improvement {
       if (may_merge && (merge(v[i], v[k]) || merge(v[k], v[i]))) return;
     }
     for (const auto& [i, k] : kEdges) {
-      if (may_split && split(v[i], v[k])) return;
+      if (may_split && split(c, v[i], v[k])) return;
     }
   }
 
@@ -127,8 +127,11 @@ class Improvement {
     return mesh_.replace_ball(star_, created_);
   }
 
-  bool split(VertexId a, VertexId b) {
-    find_ring(mesh_, mesh_.cell_with(a, b), a, b, ring_);
+  // pre: c has both. Sets c to the cell with its corners. (Where the solid touches itself,
+  // cell_with() may look on the other side.)
+  bool split(CellId& c, VertexId a, VertexId b) {
+    const Tetrahedron corners = mesh_.corners(c);
+    find_ring(mesh_, c, a, b, ring_);
     if (!ring_.is_closed || ring_.has_wall) return false;
     const double least = least_shape(mesh_, ring_.cells);
     std::vector<Tetrahedron> before;
@@ -141,6 +144,9 @@ class Improvement {
     if (least_shape(mesh_, star_) > least + kGainOfPoint) return true;
     mesh_.replace_ball(star_, before);
     mesh_.drop_point();
+    for (CellId cell : mesh_.last_created()) {
+      if (mesh_.corners(cell) == corners) c = cell;
+    }
     return false;
   }
 
