@@ -156,14 +156,10 @@ void require_closed(const ClosedSurface& surface, const std::string& name, int t
       {FaultKind::degenerate_triangles, ""},
       {FaultKind::duplicate_triangles, ""},
       {FaultKind::holes, "a solid needs a closed surface, which deliso mesh makes with --cap"},
-      {FaultKind::non_manifold_edges, "a solid needs a manifold"},
-      {FaultKind::non_manifold_vertices, "a solid needs a manifold"},
       {FaultKind::self_intersections, "a solid needs a surface that does not cross itself"},
       {FaultKind::not_measured, ""}};
   for (const auto& [kind, advice] : kAdvice) {
-    const bool is_of_labels = kind == FaultKind::non_manifold_edges ||
-                              kind == FaultKind::non_manifold_vertices;  // some have them anyway
-    if (faults.count(kind) == 0 || (is_of_labels && surface.has_labels)) continue;
+    if (faults.count(kind) == 0) continue;
     const Fault& fault = faults.first(kind).front();
     const std::size_t more = faults.count(kind) - 1;
     const bool is_rounded =

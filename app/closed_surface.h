@@ -32,7 +32,8 @@ struct ClosedSurface {
 ClosedSurface closed_surface(const TriMesh& surface, const MeshNotes& notes);
 
 // Throws an InputError that names the place unless the surface is closed, facets face the same way
-// and do not cross, and without labels it is a manifold. pre: there are walls.
+// and do not cross. It may touch itself in vertices and edges that facets share. pre: there are
+// walls.
 void require_closed(const ClosedSurface& surface, const std::string& name, int threads);
 
 }  // namespace deliso

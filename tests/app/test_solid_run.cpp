@@ -108,7 +108,7 @@ TEST_CASE("vertices at one place are one, and those of no triangle are left out"
   CHECK(volume_of(made.run) == doctest::Approx(1));
 }
 
-TEST_CASE("cubes that touch are refused, and one with a cavity is filled") {
+TEST_CASE("cubes that touch, and one with a cavity, are filled") {
   const TemporaryFolder folder;
   const auto cube = [](double x, double y, double side, int first, bool inwards) {
     std::string points;
@@ -131,10 +131,18 @@ TEST_CASE("cubes that touch are refused, and one with a cavity is filled") {
   SUBCASE("along an edge") {
     add(cube(1, 1, 1, 8, false));
     Made made;
-    make(made, folder.write("edge.off", off(points, triangles)));
-    CAPTURE(made.refusal);
-    CHECK(made.refusal.find("edge 2-6 is of triangles 6 9 17 22 at (1 1 0.5); a solid needs a") !=
-          std::string::npos);
+    make(made, folder.write("edge.off", off(points, triangles)), " --max-cell .3");
+    REQUIRE(made.refusal == "");
+    CHECK(made.run.sound());
+    CHECK(volume_of(made.run) == doctest::Approx(2));
+  }
+  SUBCASE("in a vertex") {
+    add(cube(1, 1, .5, 8, false));
+    Made made;
+    make(made, folder.write("vertex.off", off(points, triangles)), " --max-cell .3");
+    REQUIRE(made.refusal == "");
+    CHECK(made.run.sound());
+    CHECK(volume_of(made.run) == doctest::Approx(1.125));
   }
   SUBCASE("a cavity") {
     add(cube(.25, .25, .5, 8, true));
