@@ -457,7 +457,10 @@ constexpr CommandSpec kCommandTable[] = {
      "topology, Delaunay triangles, distances both ways, shapes. A second mesh in place of INPUT "
      "is compared with the first: validity and topology of each, distances both ways; "
      "--max-distance "
-     "makes larger ones a fault. Exit status: 0 no fault, 1 a fault, 2 bad usage or input."},
+     "makes larger ones a fault. A solid in place of MESH, .mesh or .vtu, is checked by exact "
+     "signs, "
+     "and against its surface if INPUT is that. Exit status: 0 no fault, 1 a fault, 2 bad usage or "
+     "input."},
     {Command::render, "render", "render MESH [MESH ...] -o PICTURE.png [options]",
      "Draws a mesh, or several side by side, all seen by one camera: the side where the field is "
      "below the isovalue in blue, the other in orange, or numbers as colors."},
