@@ -55,6 +55,8 @@ SHOW_RUN = report=$$($(BUILD)/deliso $(1) -o '$(OUT)/$(2)') && echo "$$report" |
 demo: all
 	@$(call SHOW_RUN,builtin:fuel --iso 70.1,demo.ply,exact)
 	@$(call SHOW_RUN,builtin:fuel --iso 70.1 --paper,demo-paper.ply,as published)
+	@$(BUILD)/deliso builtin:fuel --iso 70.1 --cap -q -o - | $(BUILD)/deliso solid - -o '$(OUT)/demo.vtu' | \
+	  awk '/^solid/ { print "solid         " substr($$0, 11) } /^angles/ { print "              " substr($$0, 11) }'
 ifneq ($(VOLUME),)
 	@$(call SHOW_RUN,'$(VOLUME)' $(if $(ISO),--iso $(ISO)),demo-volume.ply,exact)
 	@$(call SHOW_RUN,'$(VOLUME)' $(if $(ISO),--iso $(ISO)) --paper,demo-volume-paper.ply,as published)

@@ -30,12 +30,6 @@ std::array<Figure, 4> spread_of(const Distances& d, double unit) {
            {"quantile_999", "99.9 %", d.quantile_999 / unit, "what 99.9 % keep to"}}};
 }
 
-// "(x y z)".
-std::string place_text(const Vec3& p) {
-  return text("(", joined(std::array{p.x, p.y, p.z}, " ", [](double x) { return rounded(x, 7); }),
-              ")");
-}
-
 // "h <= 0.1 voxels, r/l <= 2; r_min = 0.5 voxels".
 std::string limits_text(const Criteria& limits, double voxel) {
   std::string line;
@@ -101,6 +95,11 @@ std::string counts_text(const TopologyCounts& t) {
 }
 
 }  // namespace
+
+std::string place_text(const Vec3& p) {
+  return text("(", joined(std::array{p.x, p.y, p.z}, " ", [](double x) { return rounded(x, 7); }),
+              ")");
+}
 
 std::string distances_text(const char* name, const Distances& d, double bound, double unit,
                            std::string_view unit_name, const Frame& frame) {
@@ -197,10 +196,11 @@ std::string verification_text(const Verification& v, const Grid& volume) {
   return out + faults_text(v.faults, volume.frame());
 }
 
-std::string faults_text(const Faults& faults, const Frame& frame) {
+template <class Kind>
+std::string faults_text(const FaultList<Kind>& faults, const Frame& frame) {
   std::string out;
-  for (std::size_t n = 0; n < kFaultKinds; ++n) {
-    const auto kind = static_cast<FaultKind>(n);
+  for (std::size_t n = 0; n < static_cast<std::size_t>(Kind::count_); ++n) {
+    const auto kind = static_cast<Kind>(n);
     if (faults.count(kind) == 0) continue;
     out += text("FAULT     ", name_of(kind), ": ", faults.count(kind), "\n");
     for (const Fault& fault : faults.first(kind)) {
@@ -209,6 +209,8 @@ std::string faults_text(const Faults& faults, const Frame& frame) {
   }
   return out.empty() ? "faults    none\n" : out;
 }
+template std::string faults_text(const Faults& faults, const Frame& frame);
+template std::string faults_text(const SolidFaults& faults, const Frame& frame);
 
 void add_verification(ReportWriter& out, const Verification& v, const Grid& volume) {
   const double voxel = volume.voxel();
@@ -303,10 +305,11 @@ void add_verification(ReportWriter& out, const Verification& v, const Grid& volu
   out.close();
 }
 
-void add_faults(ReportWriter& out, const Faults& faults, const Frame& frame) {
+template <class Kind>
+void add_faults(ReportWriter& out, const FaultList<Kind>& faults, const Frame& frame) {
   out.open("faults", "kinds of which there is one at least; none: the mesh is sound");
-  for (std::size_t n = 0; n < kFaultKinds; ++n) {
-    const auto kind = static_cast<FaultKind>(n);
+  for (std::size_t n = 0; n < static_cast<std::size_t>(Kind::count_); ++n) {
+    const auto kind = static_cast<Kind>(n);
     if (!out.if_any(faults.count(kind) > 0)) continue;
     out.open(name_of(kind), "docs/glossary.md");
     out.add("count", faults.count(kind), "how many");
@@ -318,6 +321,8 @@ void add_faults(ReportWriter& out, const Faults& faults, const Frame& frame) {
   }
   out.close();
 }
+template void add_faults(ReportWriter& out, const Faults& faults, const Frame& frame);
+template void add_faults(ReportWriter& out, const SolidFaults& faults, const Frame& frame);
 
 void add_check(ReportWriter& out, std::string_view mesh, bool by_comments, const Input& input,
                const Verification& v) {

@@ -10,6 +10,7 @@
 #include "app/criteria_note.h"
 #include "app/input.h"
 #include "app/report_writer.h"
+#include "check/check_solid.h"
 #include "check/compare_meshes.h"
 #include "check/verify.h"
 #include "io/mesh/read_mesh.h"
@@ -49,9 +50,13 @@ void add_spread(ReportWriter& out, const Distances& d, double unit, std::string_
 inline constexpr const char* kGivenUpWords =
     "points left out since too many triangles lie across each other there";
 
-// Give the faults, whose places are in this frame: aligned lines, and an object "faults".
-std::string faults_text(const Faults& faults, const Frame& frame);
-void add_faults(ReportWriter& out, const Faults& faults, const Frame& frame);
+// Give the faults, whose places are in this frame: aligned lines, and an object "faults". Of a mesh
+// and of a solid.
+template <class Kind>
+std::string faults_text(const FaultList<Kind>& faults, const Frame& frame);
+template <class Kind>
+void add_faults(ReportWriter& out, const FaultList<Kind>& faults, const Frame& frame);
+std::string place_text(const Vec3& p);  // "(x y z)"
 
 // Returns aligned lines. Lengths are in voxels, places of faults in the
 // world.

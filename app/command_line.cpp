@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <numeric>
 #include <system_error>
 #include <utility>
@@ -197,13 +198,13 @@ void check_streams(const CommandLine& line) {
             "mesh and volume cannot both come from standard input");
 }
 
-// The check command of two meshes knows no volume.
-void check_meshes(const CommandLine& line) {
-  constexpr std::string_view kAllowed[] = {"--max-distance", "--json", "--quiet", "--threads"};
+// The check command of two meshes, or of a solid, knows no volume.
+void check_meshes(const CommandLine& line, std::string_view what,
+                  std::initializer_list<std::string_view> allowed) {
   for (const std::string& word : line.words) {
     const std::string_view name = std::string_view(word).substr(0, word.find('='));
-    if (std::ranges::find(kAllowed, name) != std::end(kAllowed)) continue;
-    throw InputError(name, " means nothing between two meshes: it is about a volume");
+    if (std::ranges::find(allowed, name) != allowed.end()) continue;
+    throw InputError(name, " means nothing ", what, ": it is about a volume");
   }
   refuse_if(line.verify.given.limits[Criterion::distance] &&
                 line.options.limits[Criterion::distance].unit == Length::Unit::voxel,
@@ -271,25 +272,43 @@ void check_join(CommandLine& line) {
   check_file(line);
 }
 
+void check_solid(const CommandLine& line) {
+  refuse_if(line.meshes.empty(), "no surface given: deliso solid MESH -o SOLID");
+  refuse_if(line.meshes.size() > 1, "a solid is of one surface: its labels are those of --shared");
+  refuse_if(line.mesh.write.format.has_value(), "--format of a solid is mesh, vtu, msh or tetgen");
+  if (!line.solid.format && !line.output.empty() && line.output != "-")
+    solid_format_of(line.output);
+}
+
 // Checks the conditions between options, after all are read.
 void check_combination(CommandLine& line) {
   if (!line.isovalues.empty()) {
     check_names(line, "--iso of several isovalues", "isovalue");
     refuse_if(line.mesh.part.has_value(), "--part takes one isovalue");
   }
+  if (line.command == Command::check && !line.meshes.empty() &&
+      has_solid_ending(line.meshes.front())) {
+    if (!line.input.empty()) line.meshes.push_back(std::exchange(line.input, {}));
+    return check_meshes(line, "of a solid", {"--json", "--quiet", "--threads"});
+  }
   if (line.command == Command::check && has_mesh_ending(line.input)) {
     line.meshes.push_back(std::exchange(line.input, {}));
     check_streams(line);
-    return check_meshes(line);
+    return check_meshes(line, "between two meshes",
+                        {"--max-distance", "--json", "--quiet", "--threads"});
   }
   refuse_if(line.command == Command::check && !line.meshes.empty() && line.input.empty(),
             "check needs a mesh and a volume: deliso check MESH INPUT --iso K; or two meshes");
-  refuse_if(line.input.empty() && line.meshes.empty() && line.command != Command::join,
+  refuse_if(line.input.empty() && line.meshes.empty() && line.command != Command::join &&
+                line.command != Command::solid,
             "no input given; --help shows how");
   if (line.command == Command::render) return check_picture(line);
   if (line.command == Command::view) return check_page(line);
   refuse_if(line.output == "-" && line.json == "-",
             "-o and --json cannot both go to standard output");
+  if (line.command == Command::solid) return check_solid(line);
+  refuse_if(line.solid.format.has_value(),
+            "--format of a mesh is none of a solid: deliso solid writes these");
   if (line.command == Command::join) return check_join(line);
   if (line.command == Command::check) check_streams(line);
   take_builtin_isovalue(line);
@@ -425,7 +444,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
     if (options_end || argument == "-" || !argument.starts_with('-')) {
       refuse_if(argument.empty(), "the input's name is empty");
       if (command == Command::render || command == Command::view || command == Command::join ||
-          (command == Command::check && line.meshes.empty())) {
+          command == Command::solid || (command == Command::check && line.meshes.empty())) {
         line.meshes.emplace_back(argument);
         continue;
       }

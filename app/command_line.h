@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "base/diagnostics.h"
 #include "blocks/grid.h"
 #include "io/mesh/write_mesh.h"
+#include "io/solid/write_solid.h"
 #include "io/volume/read_volume.h"
 #include "paper/options.h"
 #include "run/options.h"
@@ -20,7 +22,18 @@
 
 namespace deliso {
 
-enum class Command : std::uint8_t { mesh, info, check, render, view, trace, join, help, version };
+enum class Command : std::uint8_t {
+  mesh,
+  info,
+  check,
+  render,
+  view,
+  trace,
+  join,
+  solid,
+  help,
+  version
+};
 
 // The region of a picture that is kept: below or above a fraction of the box along an axis, or one
 // side of a plane in the mesh's space.
@@ -84,6 +97,13 @@ struct PictureChoice {
   std::optional<Up> up;  // absent: superior if the file tells, else +z
 };
 
+struct SolidChoice {
+  std::optional<SolidFormat> format;  // absent: by the output's ending, Medit on standard output
+  double growth = .35;                // how much longer edges may become, by distance
+  double max_cell = std::numeric_limits<double>::infinity();
+  bool fills = true;  // with points inside
+};
+
 struct TraceChoice {
   std::size_t limit = 200'000;  // events
   bool times = true;
@@ -98,7 +118,8 @@ struct CommandLine {
 
   // A path, builtin:NAME[:SIZE], or - for standard input. Pictures need it only for some colors.
   std::string input;
-  // Paths, or - for standard input: one to check, several to draw or show. Parts to join: paths.
+  // Paths, or - for standard input: one to check or fill, several to draw or show. Parts to join:
+  // paths.
   std::vector<std::string> meshes;
   std::string output;  // a path, - for standard output, or empty: no mesh is written
   std::string json;    // a path, - or empty
@@ -116,6 +137,7 @@ struct CommandLine {
   CheckChoice verify;
   PictureChoice picture;
   TraceChoice trace;
+  SolidChoice solid;
 };
 
 // True if a number of vertices or triangles is required instead of a bound on the distance.

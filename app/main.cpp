@@ -43,6 +43,8 @@ int run(std::span<const std::string_view> arguments) {
       return run_check(line);
     case Command::join:
       return run_join(line);
+    case Command::solid:
+      return run_solid(line);
     case Command::mesh:
       break;
   }

@@ -106,10 +106,15 @@ constexpr OptionSpec kInputAndOutput[] = {
      [](Line& l, Text, Text v) { l.output = v; },
      "what to write, - for standard output: a picture as .png, or as .svg with sharp edges and "
      "letters, of info three slices as .png, a page as "
-     ".html, joined parts as deliso mesh writes them"},
-    {"--format", 0, "ply|off|obj|stl|vtp|glb|3mf|smesh|poly", kMeshAndJoin,
-     "format of the mesh, whatever FILE's ending is",
-     [](Line& l, Text o, Text v) { l.mesh.write.format = choose<MeshFormat>(o, v); }},
+     ".html, joined parts as deliso mesh writes them, a solid as .vtu, .msh, .mesh or .node"},
+    {"--format", 0, "ply|off|obj|stl|vtp|glb|3mf|smesh|poly|mesh|vtu|msh|tetgen", kFormats,
+     "format of the mesh, whatever FILE's ending is; the last four are of solids",
+     [](Line& l, Text o, Text v) {
+       constexpr int kMeshFormats = static_cast<int>(MeshFormat::poly) + 1;
+       const int n = choose<int>(o, v);
+       if (n < kMeshFormats) l.mesh.write.format = static_cast<MeshFormat>(n);
+       if (n >= kMeshFormats) l.solid.format = static_cast<SolidFormat>(n - kMeshFormats);
+     }},
     {"--ply-ascii", 0, "", kMeshAndJoin, "PLY as text instead of binary",
      [](Line& l, Text, Text) { l.mesh.write.ascii = true; }},
     {"--float", 0, "", kMeshAndJoin, "coordinates in single precision",
@@ -121,7 +126,7 @@ constexpr OptionSpec kInputAndOutput[] = {
      "and "
      "with --cap a mark; in PLY, VTP and GLB",
      [](Line& l, Text, Text) { l.mesh.attributes = true; }},
-    {"--json", 0, "FILE", kReportsAndJoin, "all statistics as JSON, or - for standard output",
+    {"--json", 0, "FILE", kReportsAndFiles, "all statistics as JSON, or - for standard output",
      [](Line& l, Text, Text v) { l.json = v; }},
     {"--quiet", 'q', "", kAll, "no report and no progress bar; warnings come all the same",
      [](Line& l, Text, Text) { l.quiet = true; }},
@@ -282,7 +287,7 @@ constexpr OptionSpec kRest[] = {
            v == "whole" ? 0
                         : static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 4), 1 << 30));
      }},
-    {"--threads", 0, "N", kMeshingAndJoin,
+    {"--threads", 0, "N", kThreaded,
      "threads to use (default: as many as the machine has); the result is the same with any number",
      [](Line& l, Text o, Text v) {
        l.options.threads = static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 1), 1024));
@@ -392,6 +397,21 @@ constexpr OptionSpec kRest[] = {
     {"--background", 0, "COLOR", kRenderOnly, "white (default), black or #rrggbb",
      [](Line& l, Text o, Text v) { l.picture.render.palette.background = parse_color(o, v); }},
 
+    {"--growth", 0, "G", kSolidOnly,
+     "how much longer edges of cells may become for each unit of length away from the surface "
+     "(default 0.35; from 0.05 on)",
+     [](Line& l, Text o, Text v) {
+       constexpr double kLeastGrowth = .05;
+       l.solid.growth = parse_positive(o, v);
+       if (l.solid.growth < kLeastGrowth) throw InputError(o, " must be at least ", kLeastGrowth);
+     }},
+    {"--max-cell", 0, "L", kSolidOnly,
+     "the longest edge of cells wanted inside, in the surface's unit (default: any)",
+     [](Line& l, Text o, Text v) { l.solid.max_cell = parse_positive(o, v); }},
+    {"--no-fill", 0, "", kSolidOnly,
+     "no points inside: cells of the surface's vertices alone, as they come",
+     [](Line& l, Text, Text) { l.solid.fills = false; }},
+
     {"--trace-limit", 0, "N", kTraceOnly,
      "at most N events in the page (default 200000); the run goes on without",
      [](Line& l, Text o, Text v) { l.trace.limit = parse_count(o, v, 1); }},
@@ -414,9 +434,13 @@ constexpr auto kOptions = [] {
   return all;
 }();
 // Headings, and the first option below each.
-constexpr std::pair<std::string_view, std::string_view> kGroups[] = {
-    {"Input and output", "--iso"}, {"Meshing", "--max-distance"}, {"Raw files", "--dims"},
-    {"Pictures", "--view"},        {"Traces", "--trace-limit"},   {"Help", "--help"}};
+constexpr std::pair<std::string_view, std::string_view> kGroups[] = {{"Input and output", "--iso"},
+                                                                     {"Meshing", "--max-distance"},
+                                                                     {"Raw files", "--dims"},
+                                                                     {"Pictures", "--view"},
+                                                                     {"Solids", "--growth"},
+                                                                     {"Traces", "--trace-limit"},
+                                                                     {"Help", "--help"}};
 
 constexpr CommandSpec kCommandTable[] = {
     {Command::mesh, "mesh", "[mesh] INPUT --iso K [-o FILE] [options]",
@@ -433,7 +457,10 @@ constexpr CommandSpec kCommandTable[] = {
      "topology, Delaunay triangles, distances both ways, shapes. A second mesh in place of INPUT "
      "is compared with the first: validity and topology of each, distances both ways; "
      "--max-distance "
-     "makes larger ones a fault. Exit status: 0 no fault, 1 a fault, 2 bad usage or input."},
+     "makes larger ones a fault. A solid in place of MESH, .mesh or .vtu, is checked by exact "
+     "signs, "
+     "and against its surface if INPUT is that. Exit status: 0 no fault, 1 a fault, 2 bad usage or "
+     "input."},
     {Command::render, "render", "render MESH [MESH ...] -o PICTURE.png [options]",
      "Draws a mesh, or several side by side, all seen by one camera: the side where the field is "
      "below the isovalue in blue, the other in orange, or numbers as colors."},
@@ -450,6 +477,11 @@ constexpr CommandSpec kCommandTable[] = {
      "one run of deliso mesh makes, to the last byte. A part knows its options. Refused are parts "
      "that do not belong together or to the volume, a part that is missing, twice, or not as it "
      "was made."},
+    {Command::solid, "solid", "solid MESH -o SOLID [options]",
+     "Fills a closed surface with tetrahedra, and keeps its triangles as their facets: a mesh for "
+     "simulations, as .vtu, .msh of Gmsh, .mesh of Medit, or .node and .ele of TetGen. A surface "
+     "of deliso mesh is closed with --cap; of one of --shared, each label is a region. Exit "
+     "status: 0 fine, 2 bad usage or a surface that bounds no solid."},
     {Command::help, "help", "help [COMMAND|man|bash|zsh|schema]",
      "All options of a command, or texts for other programs: the manual page, how shells complete "
      "an option, the JSON Schema of --json."},
@@ -460,7 +492,8 @@ constexpr OtherNames kOtherNames[] = {{"--iso", "threshold level value contour"}
                                       {"--vertices", "decimate simplify reduce points"},
                                       {"--triangles", "faces facets target"},
                                       {"--max-distance", "error hausdorff"},
-                                      {"--max-radius", "edge-length cell-size resolution"},
+                                      {"--max-radius", "edge-length resolution"},
+                                      {"--max-cell", "cell-size max-edge"},
                                       {"--lambda", "angle aspect-ratio"},
                                       {"--smooth", "gaussian sigma blur"},
                                       {"--median", "denoise"},

@@ -21,6 +21,7 @@ enum Commands : std::uint8_t {
   kViewOnly = 1 << static_cast<int>(Command::view),
   kTraceOnly = 1 << static_cast<int>(Command::trace),
   kJoinOnly = 1 << static_cast<int>(Command::join),
+  kSolidOnly = 1 << static_cast<int>(Command::solid),
   kReports = kMeshOnly | kInfoOnly | kCheckOnly,
   kShown = kRenderOnly | kViewOnly,
   kSeen = kShown | kTraceOnly,
@@ -29,12 +30,13 @@ enum Commands : std::uint8_t {
   kMeshAndTrace = kMeshOnly | kTraceOnly,
   kAllMeshing = kMeshAndCheck | kTraceOnly,
   kMeshAndJoin = kMeshOnly | kJoinOnly,
-  kOutput = kMeshAndJoin | kSeen | kInfoOnly,
+  kOutput = kMeshAndJoin | kSeen | kInfoOnly | kSolidOnly,
+  kFormats = kMeshAndJoin | kSolidOnly,
   kPictures = kRenderOnly | kInfoOnly,
   kShownAndJoin = kShown | kJoinOnly,
-  kReportsAndJoin = kReports | kJoinOnly,
-  kMeshingAndJoin = kAllMeshing | kJoinOnly,
-  kAll = kVolume | kJoinOnly
+  kReportsAndFiles = kReports | kJoinOnly | kSolidOnly,
+  kThreaded = kAllMeshing | kJoinOnly | kSolidOnly,
+  kAll = kVolume | kJoinOnly | kSolidOnly
 };
 
 struct CommandSpec {

@@ -230,8 +230,8 @@ Value = Union[str, float, Sequence[float]]
   constexpr std::string_view kParameters[] = {"--iso", "--volume", "--spacing", "--origin",
                                               "--space"};
   for (const CommandSpec& command : command_table()) {
-    constexpr Command kOfLibrary[] = {Command::mesh, Command::info, Command::check, Command::render,
-                                      Command::join};
+    constexpr Command kOfLibrary[] = {Command::mesh,   Command::info, Command::check,
+                                      Command::render, Command::join, Command::solid};
     if (std::ranges::find(kOfLibrary, command.command) == std::end(kOfLibrary)) continue;
     const bool draws = command.command == Command::render;
     std::string name(command.name);

@@ -26,6 +26,7 @@ inline constexpr std::string_view kExamples =
     "  deliso scan.nrrd --iso 40 --vertices 20000 --cap -o solid.stl\n"
     "  deliso scan.nrrd --iso 40 --smooth 0.7vox -o scan.ply   where there is noise\n"
     "  deliso organs.nrrd --label all -o organ-%d.ply          a mesh for each label\n"
+    "  deliso solid scan.ply -o scan.vtu          a closed surface, filled with tetrahedra\n"
     "  deliso check scan.ply scan.nrrd --iso 40   is it right?\n"
     "  deliso render scan.ply -o scan.png         a picture\n"
     "  deliso view scan.ply -o scan.html          a page to turn it in, and to look into it\n";

@@ -11,6 +11,7 @@
 #include "app/report_writer.h"
 #include "app/shared_labels.h"
 #include "app/solid.h"
+#include "app/solid_run.h"
 #include "base/text.h"
 
 namespace deliso {
@@ -150,11 +151,15 @@ void add_distance(ReportWriter& out, const Report& report) {
           Rule::nullable);
 }
 
+}  // namespace
+
 void add_memory(ReportWriter& out, std::uint64_t bytes) {
   out.add("peak_memory_bytes", bytes,
           "the most that the process has held in RAM; in a host of the library, with all that is "
           "the host's");
 }
+
+namespace {
 
 void add_counters(ReportWriter& out, const Report& report) {
   out.open("counters", "what was refused or left unresolved; all 0 in a clean run");
@@ -358,6 +363,9 @@ std::string report_schema() {
   out.describe_report("info", [&] { add_info(out, {input, {}, {}, {}, {}, 0, {}, 0, {}, 0}); });
   out.describe_report(
       "info", [&] { add_series(out, "", {}); }, "of a folder of several series");
+  out.describe_report(
+      "check", [&] { add_checked_solid(out, {}, {}); }, "of a solid");
+  out.describe_report("solid", [&] { add_solid_run(out, {line}); });
   return out.finish();
 }
 

@@ -139,6 +139,8 @@ class ReportWriter {
   bool is_optional_ = false, is_left_out_ = false;  // the next member
 };
 
+// Adds "peak_memory_bytes".
+void add_memory(ReportWriter& out, std::uint64_t bytes);
 // Adds the list "diagnostics".
 void add_diagnostics(ReportWriter& out, const Diagnostics& notes);
 

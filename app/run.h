@@ -31,5 +31,7 @@ std::string draw(std::span<const TriMesh> meshes, std::span<const MeshNotes> not
 int run_view(const CommandLine& line);
 int run_trace(const CommandLine& line);
 int run_join(const CommandLine& line);
+int run_solid(const CommandLine& line);
+int run_check_solid(const CommandLine& line);  // of check, of a solid
 
 }  // namespace deliso

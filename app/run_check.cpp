@@ -39,6 +39,7 @@ CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const Command
 }
 
 int run_check(const CommandLine& line) {
+  if (has_solid_ending(line.meshes.front())) return run_check_solid(line);
   if (line.meshes.size() > 1) return run_compare(line);
   MeshNotes notes;
   TriMesh mesh = read_mesh(line.meshes.front(), &notes);

@@ -128,6 +128,19 @@ void take(const TriMesh& surface, MeshRun& run, double seconds, deliso_mesh& mad
   tell(run.notes);
 }
 
+TriMesh tri_mesh_of(const deliso_mesh* mesh) {
+  require(mesh, "mesh");
+  TriMesh made = make_tri_mesh(mesh->mesh.points, mesh->mesh.triangles);
+  made.frame.space = mesh->space;
+  return made;
+}
+
+MeshNotes notes_of(const deliso_mesh& mesh) {
+  MeshNotes notes = mesh.notes;
+  if (notes.sides.empty()) notes.sides = mesh.write.sides;
+  return notes;
+}
+
 char* copied(const std::string& text) {
   auto* const copy = static_cast<char*>(std::malloc(text.size() + 1));
   if (!copy) throw std::bad_alloc();

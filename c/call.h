@@ -22,6 +22,7 @@
 #include "io/volume/read_volume.h"
 #include "io/volume/sample_grid.h"
 #include "mesh/tri_mesh.h"
+#include "more/solids/solid.h"
 #include "volume/volume.h"
 
 struct deliso_volume {
@@ -112,6 +113,18 @@ class WatchedProgress : public Progress {
 
 // Fills in what `made` has of the surface, which the run has examined.
 void take(const TriMesh& surface, MeshRun& run, double seconds, deliso_mesh& made);
+
+// Returns the mesh, and what its file says beside it.
+TriMesh tri_mesh_of(const deliso_mesh* mesh);
+MeshNotes notes_of(const deliso_mesh& mesh);
+
+static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(std::uint32_t) &&
+              sizeof(Tetrahedron) == 4 * sizeof(std::uint32_t));
+template <class Number, class Values>
+const Number* numbers_of(const Values& values, size_t* count) {
+  if (count) *count = values.size();
+  return reinterpret_cast<const Number*>(values.data());
+}
 
 // Returns a copy on the heap of C, for deliso_text_free(), with a zero byte behind it.
 char* copied(const std::string& text);

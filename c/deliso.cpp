@@ -98,21 +98,6 @@ CommandLine line_of_all(std::vector<std::string> words, const deliso_volume& vol
   return line_of(std::move(words), volume, kNoIsovalue, options);
 }
 
-TriMesh tri_mesh_of(const deliso_mesh* mesh) {
-  require(mesh, "mesh");
-  TriMesh made = make_tri_mesh(mesh->mesh.points, mesh->mesh.triangles);
-  made.frame.space = mesh->space;
-  return made;
-}
-
-static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(std::uint32_t));
-
-template <class Number, class T>
-const Number* numbers_of(const std::vector<T>& values, size_t* count) {
-  if (count) *count = values.size();
-  return reinterpret_cast<const Number*>(values.data());
-}
-
 const deliso_mesh& mesh_or_empty(const deliso_mesh* mesh) {
   static const deliso_mesh empty;
   return mesh ? *mesh : empty;
@@ -458,8 +443,7 @@ deliso_status deliso_render(const deliso_mesh* const* meshes, size_t count,
     for (size_t n = 0; n < count; ++n) {
       words.push_back(text("mesh ", n + 1));
       drawn.push_back(tri_mesh_of(meshes[n]));
-      notes.push_back(meshes[n]->notes);
-      if (notes.back().sides.empty()) notes.back().sides = meshes[n]->write.sides;
+      notes.push_back(notes_of(*meshes[n]));
     }
     Diagnostics told;
     draw(drawn, notes, parse(std::move(words), options, Reads::now), told);

@@ -236,6 +236,32 @@ DELISO_API deliso_status deliso_check(const deliso_mesh* mesh, const deliso_volu
                                       const deliso_watch* watch, char** json);
 DELISO_API void deliso_text_free(char* text); /* null is allowed */
 
+/* Fills a closed surface with tetrahedra, as the program's solid command does, with the options of
+ * that command. The surface is a mesh that was made with the option "cap" or lies inside the
+ * volume, or a mesh of all labels with "cap". Returns DELISO_FAULT if the solid has a fault, which
+ * its report names. After DELISO_OK and DELISO_FAULT the caller owns the solid; it does not need
+ * the mesh. */
+typedef struct deliso_solid deliso_solid;
+DELISO_API deliso_status deliso_solid_create(const deliso_mesh* surface, const char* const* options,
+                                             const deliso_watch* watch, deliso_solid** solid);
+DELISO_API void deliso_solid_free(deliso_solid* solid); /* null is allowed */
+
+/* Arrays and texts of the solid, which owns them. `count` may be null. A null solid has none.
+ *   points     x, y, z of each: the surface's, then those where it was cut, then those inside
+ *   cells      four numbers of points each: the first three run counterclockwise seen from the
+ * fourth regions    of each cell its label; 1 of a surface without labels walls      three numbers
+ * of points for each facet on the surface, counterclockwise seen from in front of the surface's
+ * triangle kinds      of each wall 1 at the low end of x, 2 at the high end, 3, 4 of y, 5, 6 of z;
+ * else 0 report     what the program writes with --json */
+DELISO_API const double* deliso_solid_points(const deliso_solid* solid, size_t* count);
+DELISO_API const uint32_t* deliso_solid_cells(const deliso_solid* solid, size_t* count);
+DELISO_API const int64_t* deliso_solid_regions(const deliso_solid* solid, size_t* count);
+DELISO_API const uint32_t* deliso_solid_walls(const deliso_solid* solid, size_t* count);
+DELISO_API const uint32_t* deliso_solid_kinds(const deliso_solid* solid, size_t* count);
+DELISO_API const char* deliso_solid_report(const deliso_solid* solid);
+/* Writes the solid as .vtu, .msh, .mesh, or .node, .ele and .face, by the path's ending. */
+DELISO_API deliso_status deliso_solid_save(const deliso_solid* solid, const char* path);
+
 /* An array that is read box by box, so that no process needs all of it: of a file of chunks, or of
  * another machine. The samples are those of deliso_volume_create() in C order. */
 typedef struct deliso_source {

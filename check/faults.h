@@ -84,14 +84,16 @@ struct Fault {
   Vec3 at;           // scaled frame
 };
 
-class Faults {
+// Kind: an enumeration that ends with count_.
+template <class Kind>
+class FaultList {
  public:
   static constexpr std::size_t kShown = 5;  // faults of every kind are kept in full
 
   // Adds a fault. `what` is a text or a function that returns one, called only if the fault is
   // kept.
   template <class What>
-  void add(FaultKind kind, const What& what, const Vec3& at) {
+  void add(Kind kind, const What& what, const Vec3& at) {
     Entry& entry = entries_[static_cast<std::size_t>(kind)];
     if (entry.count++ >= kShown) return;
     if constexpr (std::is_invocable_v<What>) {
@@ -101,11 +103,11 @@ class Faults {
     }
   }
   // Adds `more` faults without a description.
-  void add_unnamed(FaultKind kind, std::size_t more) {
+  void add_unnamed(Kind kind, std::size_t more) {
     entries_[static_cast<std::size_t>(kind)].count += more;
   }
-  std::size_t count(FaultKind kind) const { return entries_[static_cast<std::size_t>(kind)].count; }
-  const std::vector<Fault>& first(FaultKind kind) const {
+  std::size_t count(Kind kind) const { return entries_[static_cast<std::size_t>(kind)].count; }
+  const std::vector<Fault>& first(Kind kind) const {
     return entries_[static_cast<std::size_t>(kind)].first;
   }
   bool any() const {
@@ -120,7 +122,8 @@ class Faults {
     std::size_t count = 0;
     std::vector<Fault> first;
   };
-  std::array<Entry, kFaultKinds> entries_;
+  std::array<Entry, static_cast<std::size_t>(Kind::count_)> entries_;
 };
+using Faults = FaultList<FaultKind>;
 
 }  // namespace deliso

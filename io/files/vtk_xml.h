@@ -13,9 +13,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "io/files/field_reader.h"
 #include "io/files/input_file.h"
+#include "io/files/text_scan.h"
 
 namespace deliso {
 
@@ -58,8 +61,51 @@ class VtkXml {
   // Returns the bytes of an array that is not text. It must have `size` of them, for `what`. pre:
   // next() has reached the end.
   Bytes binary(const XmlTag& array, std::uint64_t size, const std::string& what) const;
+  // Calls take(value) for each of an array's `count` numbers. `what`: their use, for messages. pre:
+  // as of binary(); count * 8 fits.
+  template <class As, class Take>
+  void for_each(const XmlTag& array, std::uint64_t count, const std::string& what,
+                Take take) const {
+    const std::string_view type = array.attribute("type").value_or("");
+    const auto each = [&]<class T>(T) { for_each_of<T, As>(array, count, what, take); };
+    if (type == "Float32") return each(float{});
+    if (type == "Float64") return each(double{});
+    if (type == "Int8") return each(std::int8_t{});
+    if (type == "UInt8") return each(std::uint8_t{});
+    if (type == "Int16") return each(std::int16_t{});
+    if (type == "UInt16") return each(std::uint16_t{});
+    if (type == "Int32") return each(std::int32_t{});
+    if (type == "UInt32") return each(std::uint32_t{});
+    if (type == "Int64") return each(std::int64_t{});
+    fail(array.name.empty() ? "has no array for " + what
+                            : text("type ", quote(type), " of ", what, " is not supported"));
+  }
 
  private:
+  template <class T, class As, class Take>
+  void for_each_of(const XmlTag& array, std::uint64_t count, const std::string& what,
+                   Take take) const {
+    if constexpr (std::is_integral_v<As> && !std::is_integral_v<T>) {
+      fail(what, " are no integers");
+    } else if (is_text(array)) {
+      const Bytes data = inside(array);
+      TextCursor words(data.text());
+      for (std::uint64_t n = 0; n < count; ++n) {
+        const std::string_view word = words.word();
+        if (word.empty()) fail("data is too short: ", what, " need ", count, " numbers");
+        const auto value = number_in<T>(word);
+        if (!value) fail("there is ", quote(word), " in place of a number");
+        take(static_cast<As>(*value));
+      }
+      if (!words.word().empty()) fail("more than ", count, " numbers for ", what);
+    } else {
+      const Bytes data = binary(array, count * sizeof(T), what);
+      const FieldReader values(data.data, byte_order_);
+      for (std::size_t at = 0; at < data.size(); at += sizeof(T)) {
+        take(static_cast<As>(values.get<T>(at)));
+      }
+    }
+  }
   Bytes from_base64(std::string_view text, std::uint64_t size, const std::string& what) const;
   Bytes from_block(const Bytes& data, std::uint64_t size, const std::string& what) const;
   Bytes from_blocks(const Bytes& data, std::uint64_t size, const std::string& what) const;

@@ -2,16 +2,14 @@
 // The writers of write_mesh, one per format, and their common functions.
 #pragma once
 
-#include <charconv>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
 #include "base/text.h"
 #include "io/files/atomic_file.h"
-#include "io/files/field_reader.h"
+#include "io/files/put_numbers.h"
 #include "io/mesh/write_mesh.h"
 
 namespace deliso {
@@ -58,23 +56,6 @@ class WorldMesh {
 // Free bytes at the beginning of binary STL, and the title with which the writer begins them.
 inline constexpr std::size_t kStlHeader = 80;
 inline constexpr std::string_view kStlTitle = "binary STL by DelIso";
-
-// Appends the bytes of a number, the least significant first.
-template <class T>
-void put_binary(AtomicFile& out, T value) {
-  static_assert(std::is_arithmetic_v<T>);
-  const auto bytes = little_endian(value);
-  out.write({bytes.data(), bytes.size()});
-}
-
-// Appends the shortest text that reads back as `value`, then `after`.
-template <class Out, class T>
-void put_text(Out& out, T value, char after) {
-  char text[32];
-  char* end = std::to_chars(text, text + sizeof text - 1, value).ptr;
-  *end++ = after;
-  out.write({text, static_cast<std::size_t>(end - text)});
-}
 
 // Calls put(coordinate, axis) for x, y, z of every vertex, as float or double.
 template <class Put>

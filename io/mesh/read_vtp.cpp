@@ -3,9 +3,7 @@
 // has the corners of all polygons in order, `offsets` the end of each. The markup and the arrays
 // are in io/files/vtk_xml.h.
 #include <algorithm>
-#include <type_traits>
 
-#include "io/files/field_reader.h"
 #include "io/files/input_file.h"
 #include "io/files/vtk_xml.h"
 #include "io/mesh/mesh_parsers.h"
@@ -78,12 +76,12 @@ class VtpParser {
       fail("its points have not three coordinates");
     Vec3 p;
     int axis = 0;
-    for_each<double>(coordinates_, 3 * points_, text("the coordinates of ", points_, " points"),
-                     [&](double x) {
-                       p[axis] = x;
-                       if (axis == 2) mesh.points.push_back(p);
-                       axis = (axis + 1) % 3;
-                     });
+    xml_.for_each<double>(coordinates_, 3 * points_,
+                          text("the coordinates of ", points_, " points"), [&](double x) {
+                            p[axis] = x;
+                            if (axis == 2) mesh.points.push_back(p);
+                            axis = (axis + 1) % 3;
+                          });
   }
 
   // Returns the space in the field data: a text, as character codes that end with 0.
@@ -109,18 +107,18 @@ class VtpParser {
     if (polygons_ == 0) return;
     std::vector<std::uint64_t> ends;
     std::uint64_t last = 0;
-    for_each<std::int64_t>(offsets_, polygons_, text("the offsets of ", polygons_, " polygons"),
-                           [&](std::int64_t end) {
-                             const auto next = static_cast<std::uint64_t>(end);
-                             if (end < 0 || next < last || next - last < 3 || next > kMostCorners)
-                               fail("polygon ", ends.size(), " ends at corner ", end,
-                                    ", the one before at ", last);
-                             ends.push_back(last = next);
-                           });
+    xml_.for_each<std::int64_t>(
+        offsets_, polygons_, text("the offsets of ", polygons_, " polygons"),
+        [&](std::int64_t end) {
+          const auto next = static_cast<std::uint64_t>(end);
+          if (end < 0 || next < last || next - last < 3 || next > kMostCorners)
+            fail("polygon ", ends.size(), " ends at corner ", end, ", the one before at ", last);
+          ends.push_back(last = next);
+        });
     std::vector<VertexId> corners;
     std::size_t polygon = 0;
     std::uint64_t n = 0;
-    for_each<std::int64_t>(
+    xml_.for_each<std::int64_t>(
         connectivity_, last, text("the corners of ", polygons_, " polygons"), [&](std::int64_t v) {
           if (v < 0 || static_cast<std::uint64_t>(v) >= points_)
             fail("a corner of polygon ", polygon, " is ", v, ", not one of ", points_, " points");
@@ -143,14 +141,14 @@ class VtpParser {
     // Calls put(triangle, component, value) for the triangles of each polygon.
     const auto for_each_triangle = [&](const XmlTag& array, std::size_t components, auto put) {
       std::size_t n = 0;
-      for_each<std::int64_t>(array, components * polygons_, "the values of polygons",
-                             [&](std::int64_t value) {
-                               const std::size_t polygon = n / components;
-                               std::size_t t = polygon == 0 ? 0 : triangle_ends_[polygon - 1];
-                               for (; t < triangle_ends_[polygon]; ++t)
-                                 put(t, n % components, value);
-                               ++n;
-                             });
+      xml_.for_each<std::int64_t>(array, components * polygons_, "the values of polygons",
+                                  [&](std::int64_t value) {
+                                    const std::size_t polygon = n / components;
+                                    std::size_t t = polygon == 0 ? 0 : triangle_ends_[polygon - 1];
+                                    for (; t < triangle_ends_[polygon]; ++t)
+                                      put(t, n % components, value);
+                                    ++n;
+                                  });
     };
     if (is_of(colors_, "UInt8", 3)) {
       mesh.colors.resize(mesh.triangles.size());
@@ -167,50 +165,6 @@ class VtpParser {
       for_each_triangle(
           side == 0 ? fronts_ : behinds_, 1,
           [&](std::size_t t, std::size_t, std::int64_t label) { mesh.sides[t][side] = label; });
-    }
-  }
-
-  // Calls take(value) for each of an array's `count` values. `what`: their use, for messages.
-  template <class As, class Take>
-  void for_each(const XmlTag& array, std::uint64_t count, const std::string& what,
-                Take take) const {
-    const std::string_view type = array.attribute("type").value_or("");
-    const auto each = [&]<class T>(T) { for_each_of<T, As>(array, count, what, take); };
-    if (type == "Float32") return each(float{});
-    if (type == "Float64") return each(double{});
-    if (type == "Int8") return each(std::int8_t{});
-    if (type == "UInt8") return each(std::uint8_t{});
-    if (type == "Int16") return each(std::int16_t{});
-    if (type == "UInt16") return each(std::uint16_t{});
-    if (type == "Int32") return each(std::int32_t{});
-    if (type == "UInt32") return each(std::uint32_t{});
-    if (type == "Int64") return each(std::int64_t{});
-    fail(array.name.empty() ? "has no array for " + what
-                            : text("type ", quote(type), " of ", what, " is not supported"));
-  }
-
-  template <class T, class As, class Take>
-  void for_each_of(const XmlTag& array, std::uint64_t count, const std::string& what,
-                   Take take) const {
-    if constexpr (std::is_integral_v<As> && !std::is_integral_v<T>) {
-      fail(what, " are no integers");
-    } else if (xml_.is_text(array)) {
-      const Bytes data = xml_.inside(array);
-      TextCursor words(data.text());
-      for (std::uint64_t n = 0; n < count; ++n) {
-        const std::string_view word = words.word();
-        if (word.empty()) fail("data is too short: ", what, " need ", count, " numbers");
-        const auto value = number_in<T>(word);
-        if (!value) fail("there is ", quote(word), " in place of a number");
-        take(static_cast<As>(*value));
-      }
-      if (!words.word().empty()) fail("more than ", count, " numbers for ", what);
-    } else {
-      const Bytes data = xml_.binary(array, count * sizeof(T), what);
-      const FieldReader values(data.data, xml_.byte_order());
-      for (std::size_t at = 0; at < data.size(); at += sizeof(T)) {
-        take(static_cast<As>(values.get<T>(at)));
-      }
     }
   }
 

@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "base/text.h"
+#include "io/files/plain_text.h"
 #include "io/files/text_scan.h"
 #include "io/mesh/mesh_formats.h"
 #include "io/mesh/to_float.h"
@@ -23,27 +24,6 @@ constexpr FormatRow kFormats[] = {
     {".ply", write_ply}, {".off", write_off},     {".obj", write_obj},
     {".stl", write_stl}, {".vtp", write_vtp},     {".glb", write_glb},
     {".3mf", write_3mf}, {".smesh", write_smesh}, {".poly", write_poly}};
-
-// Returns a comment that every format allows.
-std::string clean(std::string comment) {
-  for (std::size_t i = 0; i < comment.size(); ++i) {
-    const char c = comment[i];
-    const bool twice = c == '-' && i > 0 && comment[i - 1] == '-';
-    if (c < ' ' || c > '~' || c == '\\' || twice) comment[i] = '?';
-  }
-  return comment;
-}
-
-std::string clean_name(std::string_view name) {
-  std::string result;
-  while (!name.empty()) {
-    const std::size_t length = utf8_length(name);
-    const bool is_control = name[0] == '\x7f' || (name[0] >= 0 && name[0] < ' ');
-    result += length == 0 || is_control ? "?" : name.substr(0, length);
-    name.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return result;
-}
 
 bool has_ending_of(std::string_view path, MeshFormat format) {
   const std::string_view ending = kFormats[static_cast<std::size_t>(format)].ending;
@@ -89,10 +69,10 @@ WorldMesh::WorldMesh(const TriMesh& mesh, const MeshWriteOptions& options, std::
     : mesh_(mesh),
       options_(options),
       mirrored_(mesh.frame.left_handed()),
-      name_(clean_name(!options.name.empty() ? options.name
+      name_(plain_name(!options.name.empty() ? options.name
                        : path == "-"         ? "mesh"
                                              : std::filesystem::path(path).stem().string())),
-      comment_(clean(options.comment)) {}
+      comment_(plain_comment(options.comment)) {}
 
 bool WorldMesh::is_closed() const {
   return std::ranges::all_of(mesh_.faces, [](const Face& face) {

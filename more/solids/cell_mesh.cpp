@@ -47,7 +47,7 @@ void CellMesh::drop_point() {
   incident_.pop_back();
 }
 
-std::array<VertexId, 3> CellMesh::sorted_facet(const Corners& v, int i) {
+std::array<VertexId, 3> CellMesh::sorted_facet(const Tetrahedron& v, int i) {
   const auto& f = kFacetVertices[i];
   std::array<VertexId, 3> facet{v[f[0]], v[f[1]], v[f[2]]};
   std::ranges::sort(facet);
@@ -59,7 +59,7 @@ void CellMesh::connect(Facet a, Facet b) {
   if (b.cell != kNoId) cells_[b.cell].n[b.index] = a;
 }
 
-bool CellMesh::replace_ball(std::span<const CellId> gone, std::span<const Corners> created) {
+bool CellMesh::replace_ball(std::span<const CellId> gone, std::span<const Tetrahedron> created) {
   ++mark_;
   for (CellId c : gone) marks_[c] = mark_;
   sides_.clear();
@@ -94,7 +94,7 @@ bool CellMesh::replace_ball(std::span<const CellId> gone, std::span<const Corner
     cells_[c].v[0] = kNoId;
   }
   last_created_.clear();
-  for (const Corners& v : created) {
+  for (const Tetrahedron& v : created) {
     if (free_.empty()) {
       free_.push_back(CellId(cells_.size()));
       cells_.emplace_back();
@@ -149,7 +149,7 @@ void CellMesh::cells_at(VertexId v, std::vector<CellId>& star) const {
 CellId CellMesh::cell_with(VertexId a, VertexId b, VertexId c) const {
   cells_at(a, star_);
   for (CellId cell : star_) {
-    const Corners& v = cells_[cell].v;
+    const Tetrahedron& v = cells_[cell].v;
     if (has_corner(v, b) && (c == kNoId || has_corner(v, c))) return cell;
   }
   return kNoId;

@@ -19,11 +19,9 @@
 #include "base/ids.h"
 #include "base/vec3.h"
 #include "delaunay/triangulation.h"
-#include "more/solids/skin.h"
+#include "more/solids/solid.h"
 
 namespace deliso {
-
-using Corners = std::array<VertexId, 4>;
 
 class CellMesh {
  public:
@@ -35,7 +33,7 @@ class CellMesh {
 
   std::size_t cell_capacity() const { return cells_.size(); }
   bool is_live(CellId c) const { return cells_[c].v[0] != kNoId; }
-  const Corners& corners(CellId c) const { return cells_[c].v; }
+  const Tetrahedron& corners(CellId c) const { return cells_[c].v; }
   // The facet opposite to corner i, as its other cell sees it; cell kNoId at the mesh's border.
   Facet mirror(Facet f) const { return cells_[f.cell].n[f.index]; }
   CellId neighbor(CellId c, int i) const { return cells_[c].n[i].cell; }
@@ -54,7 +52,7 @@ class CellMesh {
   // Puts `created` in the place of `gone`, if both have the same boundary and no wall is lost in
   // between; otherwise returns false and nothing changes. The new ids are in `last_created`. pre:
   // all of `gone` are live and in one region; S1 holds for `created`.
-  bool replace_ball(std::span<const CellId> gone, std::span<const Corners> created);
+  bool replace_ball(std::span<const CellId> gone, std::span<const Tetrahedron> created);
   const std::vector<CellId>& last_created() const { return last_created_; }
   // Takes cells away.
   void remove_region(RegionId region);
@@ -66,18 +64,19 @@ class CellMesh {
 
  private:
   struct Cell {
-    Corners v;  // v[0] == kNoId: free
+    Tetrahedron v;  // v[0] == kNoId: free
     std::array<Facet, 4> n;
     RegionId region = kOutside;
     std::uint8_t walls = 0;
   };
-  // A facet by its corners: of a new cell, then by its place among them, or what lies behind a ball.
+  // A facet by its corners: of a new cell, then by its place among them, or what lies behind a
+  // ball.
   struct Side {
     std::array<VertexId, 3> v;  // sorted
     Facet facet;
     bool is_new, is_wall;
   };
-  static std::array<VertexId, 3> sorted_facet(const Corners& v, int i);
+  static std::array<VertexId, 3> sorted_facet(const Tetrahedron& v, int i);
   void connect(Facet a, Facet b);
 
   IdArray<CellId, Cell> cells_;
@@ -89,10 +88,10 @@ class CellMesh {
   mutable std::uint32_t mark_ = 0;
 };
 
-inline bool has_corner(const Corners& v, VertexId w) {
+inline bool has_corner(const Tetrahedron& v, VertexId w) {
   return v[0] == w || v[1] == w || v[2] == w || v[3] == w;
 }
-inline int corner_index(const Corners& v, VertexId w) {
+inline int corner_index(const Tetrahedron& v, VertexId w) {
   return v[0] == w ? 0 : v[1] == w ? 1 : v[2] == w ? 2 : 3;
 }
 

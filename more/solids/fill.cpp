@@ -46,7 +46,7 @@ class Insertion {
   CellId locate(const Vec3& p) const {
     CellId c = hint_;
     for (int step = 0; step < kMostSteps; ++step) {
-      const Corners& v = mesh_.corners(c);
+      const Tetrahedron& v = mesh_.corners(c);
       CellId next = c;
       for (int k = 0; k < 4 && next == c; ++k) {
         const int i = (k + step * 7 / 3) % 4;
@@ -68,7 +68,7 @@ class Insertion {
       for (int i = 0; i < 4; ++i) {
         const CellId n = mesh_.neighbor(zone_[k], i);
         if (n == kNoId || mesh_.is_wall({zone_[k], i}) || is_in_zone(n)) continue;
-        const Corners& v = mesh_.corners(n);
+        const Tetrahedron& v = mesh_.corners(n);
         const auto& at = mesh_.points;
         if (insphere(at[v[0]], at[v[1]], at[v[2]], at[v[3]], p) > 0) zone_.push_back(n);
       }
@@ -95,7 +95,7 @@ class Insertion {
     for (int i = 0; i < 4; ++i) {
       const CellId n = mesh_.neighbor(c, i);
       if (n != kNoId && !mesh_.is_wall({c, i}) && is_in_zone(n)) continue;
-      Corners v = mesh_.corners(c);
+      Tetrahedron v = mesh_.corners(c);
       const auto& at = mesh_.points;
       std::array<Vec3, 4> q{at[v[0]], at[v[1]], at[v[2]], at[v[3]]};
       q[i] = p;
@@ -155,8 +155,7 @@ bool set_regions(CellMesh& mesh, std::span<const Wall> walls) {
       const CellId from = queue.back();
       queue.pop_back();
       for (int k = 0; k < 4; ++k) {
-        if (mesh.neighbor(from, k) != kNoId && !mesh.is_wall({from, k}))
-          reach(mesh.neighbor(from, k), mesh.region(from));
+        if (!mesh.is_wall({from, k})) reach(mesh.neighbor(from, k), mesh.region(from));
       }
     }
   }

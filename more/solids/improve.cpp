@@ -43,7 +43,7 @@ class Improvement {
   }
 
   void change(CellId c, bool may_merge, bool may_split) {
-    const Corners v = mesh_.corners(c);
+    const Tetrahedron v = mesh_.corners(c);
     for (const auto& [i, k] : kEdges) {
       find_ring(mesh_, c, v[i], v[k], ring_);
       if (!ring_.has_wall && remove_edge(mesh_, ring_, least_shape(mesh_, ring_.cells) + kGain)) return;
@@ -58,7 +58,7 @@ class Improvement {
       if (may_merge && (merge(v[i], v[k]) || merge(v[k], v[i]))) return;
     }
     for (const auto& [i, k] : kEdges) {
-      if (may_split && split(v[i], v[k])) return;
+      if (may_split && split(c, v[i], v[k])) return;
     }
   }
 
@@ -118,7 +118,7 @@ class Improvement {
     const double least = least_shape(mesh_, star_);
     created_.clear();
     for (CellId c : star_) {
-      Corners corners = mesh_.corners(c);
+      Tetrahedron corners = mesh_.corners(c);
       if (has_corner(corners, w)) continue;
       corners[corner_index(corners, v)] = w;
       if (shape(mesh_, corners) <= least + kGain) return false;
@@ -127,11 +127,14 @@ class Improvement {
     return mesh_.replace_ball(star_, created_);
   }
 
-  bool split(VertexId a, VertexId b) {
-    find_ring(mesh_, mesh_.cell_with(a, b), a, b, ring_);
+  // pre: c has both. Sets c to the cell with its corners. (Where the solid touches itself,
+  // cell_with() may look on the other side.)
+  bool split(CellId& c, VertexId a, VertexId b) {
+    const Tetrahedron corners = mesh_.corners(c);
+    find_ring(mesh_, c, a, b, ring_);
     if (!ring_.is_closed || ring_.has_wall) return false;
     const double least = least_shape(mesh_, ring_.cells);
-    std::vector<Corners> before;
+    std::vector<Tetrahedron> before;
     for (CellId cell : ring_.cells) before.push_back(mesh_.corners(cell));
     const Vec3 middle = .5 * (mesh_.points[a] + mesh_.points[b]);
     const VertexId x = star_from(mesh_, middle, ring_.cells, 0);
@@ -141,13 +144,16 @@ class Improvement {
     if (least_shape(mesh_, star_) > least + kGainOfPoint) return true;
     mesh_.replace_ball(star_, before);
     mesh_.drop_point();
+    for (CellId cell : mesh_.last_created()) {
+      if (mesh_.corners(cell) == corners) c = cell;
+    }
     return false;
   }
 
   CellMesh& mesh_;
   VertexId first_inner_;
   std::vector<CellId> star_;
-  std::vector<Corners> created_;
+  std::vector<Tetrahedron> created_;
   Ring ring_;
 };
 

@@ -26,6 +26,7 @@ struct LatticeOptions {
 };
 
 // Returns the points in a box around the surface, without those too near to it.
-std::vector<Vec3> lattice_points(std::span<const SizedPoint> surface, const LatticeOptions& options);
+std::vector<Vec3> lattice_points(std::span<const SizedPoint> surface,
+                                 const LatticeOptions& options);
 
 }  // namespace deliso

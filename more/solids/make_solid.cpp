@@ -6,8 +6,10 @@
 
 #include "base/box3.h"
 #include "delaunay/triangulation.h"
+#include "more/solids/cell_mesh.h"
 #include "more/solids/fill.h"
 #include "more/solids/improve.h"
+#include "more/solids/recover.h"
 
 namespace deliso {
 namespace {
@@ -82,7 +84,7 @@ Solid solid_of(const CellMesh& mesh, std::vector<Wall> walls, std::size_t given,
     solid.points.push_back(mesh.points[v]);
   }
   if (first_inner == mesh.points.size()) solid.skin_points = solid.points.size();
-  for (Corners& cell : solid.cells) {
+  for (Tetrahedron& cell : solid.cells) {
     for (VertexId& v : cell) v = number[v];
   }
   for (Wall& wall : solid.walls) {

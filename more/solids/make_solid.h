@@ -10,14 +10,10 @@
 // nothing is to be repaired at the end.
 #pragma once
 
-#include <cstddef>
 #include <stdexcept>
-#include <vector>
 
-#include "more/solids/cell_mesh.h"
 #include "more/solids/lattice.h"
-#include "more/solids/recover.h"
-#include "more/solids/skin.h"
+#include "more/solids/solid.h"
 
 namespace deliso {
 
@@ -25,15 +21,6 @@ struct SolidOptions {
   LatticeOptions lattice;
   bool fills = true;  // false: no points inside, and cells as they come
   int passes = 6;     // of improvement
-};
-
-struct Solid {
-  IdArray<VertexId, Vec3> points;  // those of the skin, as given; cuts of it; points inside
-  std::vector<Corners> cells;
-  std::vector<RegionId> regions;   // of each cell
-  std::vector<Wall> walls;         // the skin's, or the parts that replace one
-  std::size_t skin_points = 0;     // the skin's, with cuts
-  RecoveryCounts recovery;
 };
 
 // Throws SkinError where `skin` is no skin: walls cross, or regions do not follow each other.

@@ -17,7 +17,7 @@ constexpr bool is_even(int i, int j, int k, int l) {
 }
 
 // The other two corners of a cell at the edge a b: (a, b, first, second) is positively oriented.
-std::array<int, 2> others(const Corners& v, VertexId a, VertexId b) {
+std::array<int, 2> others(const Tetrahedron& v, VertexId a, VertexId b) {
   const int i = corner_index(v, a), j = corner_index(v, b);
   std::array<int, 2> other{};
   for (int k = 0, n = 0; k < 4; ++k) {
@@ -70,7 +70,7 @@ bool remove_edge(CellMesh& mesh, const Ring& ring, double floor, const MayJoin& 
   std::array<std::array<double, kMostAround>, kMostAround> best;
   std::array<std::array<int, kMostAround>, kMostAround> via;
   const auto cells_of = [&](int i, int j, int k) {
-    return std::array<Corners, 2>{{{ring.v[i], ring.v[j], ring.v[k], ring.b},
+    return std::array<Tetrahedron, 2>{{{ring.v[i], ring.v[j], ring.v[k], ring.b},
                                    {ring.v[k], ring.v[j], ring.v[i], ring.a}}};
   };
   for (int i = 0; i + 1 < n; ++i) best[i][i + 1] = std::numeric_limits<double>::infinity();
@@ -81,7 +81,7 @@ bool remove_edge(CellMesh& mesh, const Ring& ring, double floor, const MayJoin& 
       if (sides < n - 1 && may_join && !may_join(ring.v[i], ring.v[k])) continue;
       for (int j = i + 1; j < k; ++j) {
         double least = std::min(best[i][j], best[j][k]);
-        for (const Corners& v : cells_of(i, j, k)) {
+        for (const Tetrahedron& v : cells_of(i, j, k)) {
           if (least > std::max(floor, best[i][k])) least = std::min(least, shape(mesh, v));
         }
         if (least > std::max(floor, best[i][k])) best[i][k] = least, via[i][k] = j;
@@ -89,14 +89,14 @@ bool remove_edge(CellMesh& mesh, const Ring& ring, double floor, const MayJoin& 
     }
   }
   if (best[0][n - 1] <= floor) return false;
-  std::vector<Corners> created;
+  std::vector<Tetrahedron> created;
   std::vector<std::pair<int, int>> polygons{{0, n - 1}};
   while (!polygons.empty()) {
     const auto [i, k] = polygons.back();
     polygons.pop_back();
     if (k - i < 2) continue;
     const int j = via[i][k];
-    for (const Corners& v : cells_of(i, j, k)) created.push_back(v);
+    for (const Tetrahedron& v : cells_of(i, j, k)) created.push_back(v);
     polygons.push_back({i, j});
     polygons.push_back({j, k});
   }
@@ -106,9 +106,9 @@ bool remove_edge(CellMesh& mesh, const Ring& ring, double floor, const MayJoin& 
 bool remove_facet(CellMesh& mesh, Facet f, double floor) {
   const Facet g = mesh.mirror(f);
   if (g.cell == kNoId || mesh.is_wall(f)) return false;
-  const Corners& v = mesh.corners(f.cell);
+  const Tetrahedron& v = mesh.corners(f.cell);
   const VertexId top = v[f.index], bottom = mesh.corners(g.cell)[g.index];
-  std::array<Corners, 3> created;
+  std::array<Tetrahedron, 3> created;
   for (int i = 0; i < 3; ++i) {
     const auto& corner = kFacetVertices[f.index];
     created[i] = {top, v[corner[i]], v[corner[(i + 1) % 3]], bottom};
@@ -120,7 +120,7 @@ bool remove_facet(CellMesh& mesh, Facet f, double floor) {
 
 VertexId star_from(CellMesh& mesh, const Vec3& p, std::span<const CellId> zone, double floor) {
   const VertexId x = mesh.add_point(p);
-  std::vector<Corners> created;
+  std::vector<Tetrahedron> created;
   bool is_good = true;
   for (CellId c : zone) {
     for (int i = 0; i < 4 && is_good; ++i) {

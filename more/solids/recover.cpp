@@ -89,7 +89,7 @@ class Recovery {
     const auto& [a, b, c] = walls_[w].v;
     const CellId cell = mesh_.cell_with(a, b, c);
     if (cell == kNoId) return false;
-    const Corners& v = mesh_.corners(cell);
+    const Tetrahedron& v = mesh_.corners(cell);
     for (int i = 0; i < 4; ++i) {
       if (v[i] != a && v[i] != b && v[i] != c) mesh_.set_wall({cell, i});
     }

@@ -12,19 +12,11 @@
 // are facets of cells that are positively oriented.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "more/solids/cell_mesh.h"
-#include "more/solids/skin.h"
 
 namespace deliso {
-
-struct RecoveryCounts {
-  std::size_t missing_edges = 0, missing_walls = 0;  // at the beginning
-  std::size_t cut_edges = 0, cut_walls = 0;
-  std::size_t lost = 0;  // walls that are missing at the end
-};
 
 // Marks the walls of the mesh. `walls` become those that it has, as parts of the given ones.
 RecoveryCounts recover(CellMesh& mesh, std::vector<Wall>& walls);

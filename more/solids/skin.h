@@ -19,6 +19,7 @@ inline constexpr RegionId kOutside = 0;
 struct Wall {
   std::array<VertexId, 3> v;
   RegionId front = kOutside, behind = kOutside;
+  std::uint32_t kind = 0;  // the user's; parts of a wall have its kind
 };
 
 // pre of all that take one: walls share edges and vertices only, and around each edge the regions

@@ -10,7 +10,8 @@
 An array is indexed [z, y, x], as scikit-image and SimpleITK have it. Everything with three columns
 or three numbers, the vertices, `spacing` and `origin`, is in the order x, y, z. The mesh is the one
 that the program `deliso` makes of the array saved by numpy.save, or of the file, to the byte.
-deliso.mesh_blocks makes it of arrays beyond the memory, by other processes too.
+deliso.mesh_blocks makes it of arrays beyond the memory, by other processes too. deliso.solid fills a
+closed mesh with tetrahedra.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ if TYPE_CHECKING:
     from ._options import CheckOptions, InfoOptions, MeshOptions, RenderOptions
 
 __all__ = ["Error", "Labels", "Mesh", "SharedLabels", "Warning", "check", "info", "join", "mesh", "mesh_blocks", "part"]
-__all__ += ["read", "render", "version"]
+__all__ += ["read", "render", "Solid", "solid", "version"]
 
 # An array, or what the program reads: a file, a folder of slices, builtin:NAME.
 Source = Union[numpy.ndarray, str, os.PathLike]
@@ -152,6 +153,15 @@ def _load():
         ("info_file", int, text, ctypes.c_double, pointer, pointer, pointer),
         ("check", int, pointer, pointer, ctypes.c_double, pointer, pointer, pointer),
         ("text_free", None, pointer),
+        ("solid_create", int, pointer, pointer, pointer, pointer),
+        ("solid_free", None, pointer),
+        ("solid_points", pointer, pointer, pointer),
+        ("solid_cells", pointer, pointer, pointer),
+        ("solid_regions", pointer, pointer, pointer),
+        ("solid_walls", pointer, pointer, pointer),
+        ("solid_kinds", pointer, pointer, pointer),
+        ("solid_report", text, pointer),
+        ("solid_save", int, pointer, text),
         ("part_create", int, pointer, ctypes.c_double, int, int) + (pointer,) * 4,
         ("join", int, pointer, pointer, ctypes.c_size_t) + (pointer,) * 4,
     ]:
@@ -417,6 +427,17 @@ def _watched(call, progress, joins=True, warns=True):
     return value
 
 
+def _view_of(handle, address, count, kind, columns):
+    """A read-only array over the library's memory, which the handle owns."""
+    view = numpy.empty((0, columns), kind)
+    if address and count:
+        memory = (kind * (columns * count)).from_address(address)
+        memory.owner = handle
+        view = numpy.frombuffer(memory, kind).reshape(-1, columns)
+    view.flags.writeable = False
+    return view
+
+
 class Mesh:
     """A mesh: vertices, triangles, and the report of its making.
 
@@ -452,13 +473,7 @@ class Mesh:
         return vertices, triangles, normals
 
     def _view(self, address, count, kind, columns=3):
-        view = numpy.empty((0, columns), kind)
-        if address and count:
-            memory = (kind * (columns * count)).from_address(address)
-            memory.owner = self._handle
-            view = numpy.frombuffer(memory, kind).reshape(-1, columns)
-        view.flags.writeable = False
-        return view
+        return _view_of(self._handle, address, count, kind, columns)
 
     def __copy__(self):
         other = object.__new__(type(self))
@@ -778,3 +793,4 @@ def _from_data(arrays, others, kind=Mesh, labels=None):
 
 
 from ._parts import join, mesh_blocks, part  # noqa: E402  (which needs all of the above)
+from ._solids import Solid, solid  # noqa: E402

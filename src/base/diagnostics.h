@@ -34,6 +34,7 @@ inline constexpr std::string_view kCodes[] = {
     "coordinates-given",
     "copies-left-out",
     "count-missed",
+    "faces-inwards",
     "field-differs",
     "files-passed-over",
     "first-of-several",

@@ -180,6 +180,20 @@ refuses 'edited.* not as it was made' join part1 edited --volume $volume -o $o
 sed '1s/part .*/part 0.0.0/' part2 >old
 refuses 'old.* of another version' join part1 old --volume $volume -o $o
 
+# Surfaces that bound no solid: test_solid_run.cpp has the messages.
+s=out/solid.vtu
+refuses 'missing.off: cannot open' solid missing.off -o $s
+refuses 'none.off: has no triangle that bounds anything' solid none.off -o $s
+refuses 'one.off: the surface is open at edge 0-1 at (0.5 0 0), and 2 more; a solid needs a closed' solid one.off -o $s
+refuses "'kept.ply' has no solid format's ending (.mesh, " solid one.off -o kept.ply
+refuses "$same reads" solid kept.ply -o kept.ply --format vtu
+refuses 'no/such/s.vtu' solid kept.ply -o no/such/s.vtu
+refuses 'three files' solid kept.ply -o - --format tetgen
+refuses 'one.off' check one.off.mesh one.off
+"$deliso" solid kept.ply -q -o kept.mesh
+head -c 2000 kept.mesh >cut.mesh
+refuses 'cut.mesh' check cut.mesh kept.ply
+
 # Output that cannot be written.
 refuses 'no/such/mesh.ply' builtin:sphere -o no/such/mesh.ply
 refuses 'no/such/p.png' render one.off -o no/such/p.png

@@ -19,6 +19,7 @@
 #include "app/progress.h"
 #include "app/run.h"
 #include "app/text.h"
+#include "check/check_solid.h"
 #include "check/faults.h"
 #include "io/files/temporary_folder.h"
 #include "io/volume/volume_files.h"
@@ -45,6 +46,7 @@ JsonValue written(const TemporaryFolder& folder, const std::string& arguments) {
   if (line.command == Command::mesh) run_mesh(line);
   if (line.command == Command::info) run_info(line);
   if (line.command == Command::check) run_check(line);
+  if (line.command == Command::solid) run_solid(line);
   return parse_json(file_bytes(file), file);
 }
 
@@ -54,6 +56,8 @@ std::vector<JsonValue> all_reports() {
   const std::string mesh = folder / "mesh.ply", field = "builtin:fuel:24";
   const std::string bad =
       folder.write("bad.off", "OFF\n4 2 0\n0 0 0\n9 0 0\n0 9 0\n9 0 0\n3 0 1 2\n3 0 1 1\n");
+  const std::string tetrahedron = folder.write(
+      "one.off", "OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
   std::string samples;
   for (int n = 0; n < 20 * 20 * 20; ++n) {
     const int levels[] = {0, 100 + n % 40, 200 - n % 7};
@@ -94,6 +98,8 @@ std::vector<JsonValue> all_reports() {
                                   "info " + field + " --median 1 --smooth 1vox",
                                   "info " + named + " --array density",
                                   "check " + mesh + " " + bad,
+                                  "solid " + tetrahedron + " -o " + (folder / "s.vtu"),
+                                  "check " + (folder / "s.vtu") + " " + bad,
                                   labels + " --label all --cap --vertices 300 --shared " + mesh,
                                   "info " + labels + " --label 1 --coordinates " +
                                       folder.write("z.txt", "z 0 3\nx 0 1 2 4\n"),
@@ -172,8 +178,14 @@ TEST_CASE("everything in the schema is written by some run") {
   for (const JsonValue& report : reports()) collect_keys(report, keys);
   collect_properties(schema(), described);
   REQUIRE(described.size() > 150);
+  std::set<std::string> kinds;
   for (std::size_t n = 0; n < kFaultKinds; ++n) {
-    const std::string kind(name_of(static_cast<FaultKind>(n)));
+    kinds.emplace(name_of(static_cast<FaultKind>(n)));
+  }
+  for (std::size_t n = 0; n < static_cast<std::size_t>(SolidFaultKind::count_); ++n) {
+    kinds.emplace(name_of(static_cast<SolidFaultKind>(n)));
+  }
+  for (const std::string& kind : kinds) {
     CHECK_MESSAGE(described.contains(kind), kind);
     described.erase(kind);  // no mesh has them all
   }
@@ -345,6 +357,9 @@ TEST_CASE("every word of the reports is explained in the dictionary, once") {
   for (std::size_t n = 0; n < kOperations; ++n) check_row(name_of(static_cast<Operation>(n)));
   for (std::size_t n = 0; n < kRefusals; ++n) check_row(name_of(static_cast<Refusal>(n)));
   for (std::size_t n = 0; n < kFaultKinds; ++n) check_row(name_of(static_cast<FaultKind>(n)));
+  for (std::size_t n = 0; n < static_cast<std::size_t>(SolidFaultKind::count_); ++n) {
+    check_row(name_of(static_cast<SolidFaultKind>(n)));
+  }
   for (const std::string_view code : kCodes) check_row(code);
   // Terms, too, which stand above the words.
   for (const std::string id : {"r", "l", "h", "d", "r-min", "lambda", "epsilon", "cpi"}) {
@@ -356,7 +371,7 @@ TEST_CASE("every word of the reports is explained in the dictionary, once") {
         "exact",         "solid",      "distance", "quality", "delaunay",  "mesh->",  "->mesh",
         "criteria",      "boundary",   "padding",  "try",     "filter",    "label",   "volume",
         "largest",       "sizes",      "count",    "found",   "certified", "fields",  "labels",
-        "shared",        "border"}) {
+        "shared",        "border",     "surface",  "region",  "angles"}) {
     check_row(word);
   }
 }

@@ -10,7 +10,8 @@ cd "$1"
 surface="base exact mesh embedding volume roots isosurface run surface"
 stages="$surface contour coarsen refine"
 all="$stages blocks more/bodies more/cap more/counts"
-io="io/files io/volume io/filter io/mesh io/parts"
+solids="more/solids/skin.h more/solids/solid.h"
+io="io/files io/volume io/filter io/mesh io/solid io/parts"
 view="view/gray view/page view/render view/trace"
 
 allowed() {
@@ -34,20 +35,22 @@ allowed() {
     more/planar) echo "base exact more/planar" ;;
     more/cap) echo "$surface delaunay/hilbert.h contour refine more/planar more/cap" ;;
     more/counts) echo "$surface contour coarsen refine blocks more/counts" ;;
+    more/solids) echo "base exact delaunay mesh more/solids" ;;
     more/bodies) echo "$surface coarsen refine more/bodies" ;;
     check) echo "base roots exact delaunay mesh embedding volume contour isosurface" \
-      "run/criteria.h check" ;;
+      "run/criteria.h $solids check" ;;
     io/files) echo "base io/files" ;;
     io/volume) echo "base volume io/files io/volume" ;;
     io/filter) echo "base volume io/files io/filter" ;;
     io/mesh) echo "base mesh embedding/box_grid.h io/files io/mesh" ;;
+    io/solid) echo "base $solids io/files io/solid" ;;
     io/parts) echo "base volume mesh blocks/block.h blocks/grid.h check/check_mesh.h $io" ;;
     view/page) echo "base io/files view/page" ;;
     view/render) echo "base mesh io/files view/render" ;;
     view/gray) echo "base volume io/files mesh view/render view/gray" ;;
     view/trace) echo "$surface delaunay contour paper recover refine view/trace" ;;
-    app) echo "deliso $all delaunay kdtree paper recover check $io $view app" ;;
-    c) echo "deliso $all paper recover check $io $view app c" ;;
+    app) echo "deliso $all more/solids delaunay kdtree paper recover check $io $view app" ;;
+    c) echo "deliso $all more/solids paper recover check $io $view app c" ;;
     *) return 1 ;;
   esac
 }

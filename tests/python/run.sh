@@ -28,9 +28,17 @@ if "$python" -m pip --version >/dev/null 2>&1; then
   "$python" -m pip install --quiet --no-index --no-deps --no-compile --target "$work/by_pip" "$work"/*.whl
   diff -r "$work/installed/deliso" "$work/by_pip/deliso"
 fi
-for test in test_deliso test_parts; do
+for test in test_deliso test_parts test_solids; do
   PYTHONPATH=$work/installed "$python" "$1/tests/python/$test.py" "$3"
 done
+# docs/guide/solve.md shows what `python3 examples/solve_poisson.py cut.svg` prints, and its picture.
+if "$python" -c 'import scipy' 2>/dev/null; then
+  awk '/^```/ { shows = !shows && /^```text$/; next } shows' "$1/docs/guide/solve.md" >"$work/solve.txt"
+  (cd "$work" && PYTHONPATH=$work/installed "$python" "$1/examples/solve_poisson.py" cut.svg) |
+    diff - "$work/solve.txt"
+  cmp "$work/cut.svg" "$1/docs/guide/figures/solve.svg"
+  echo 'docs/guide/solve.md: run'
+fi
 for page in README.md docs/guide/python.md; do
   awk '/^```/ { runs = !runs && /^```python$/ && !skips; skips = 0; next }
        /^<!-- not run/ { skips = 1 }

@@ -4,6 +4,7 @@
 // of its parts (parts.cpp). A new option needs one row.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -28,8 +29,9 @@ struct Outcome {
   Words warnings;
   std::string fault;  // of the mesh's invariants
   TriMesh mesh;
-  std::size_t vertices = 0, triangles = 0;  // of the surface, without caps
-  std::size_t chosen_components = 0;        // of the exact contour
+  std::vector<std::array<std::int64_t, 2>> sides;  // of shared labels
+  std::size_t vertices = 0, triangles = 0;         // of the surface, without caps
+  std::size_t chosen_components = 0;               // of the exact contour
   bool capped = false;
   MeshQuality quality;  // of the surface
   Verification verification;

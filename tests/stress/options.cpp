@@ -19,6 +19,7 @@
 //   these
 //            few are no fault
 //   asked    another number of vertices, triangles or components than asked for, without a word
+//   solid    of a mesh that is closed: no solid of tetrahedra, or one with a fault
 // A fault of the first three kinds that the mesh without the option has too is the other options'
 // fault, and is listed so. Exit status 1 when anything but refusals and known faults
 // (known_failures.h) was found, or too little tested.
@@ -60,6 +61,7 @@
 #include "stress/see_seed.h"
 #include "stress/seeds.h"
 #include "stress/shared_file.h"
+#include "stress/solid_fault.h"
 
 using namespace deliso;
 using namespace deliso::stress;
@@ -68,15 +70,15 @@ namespace {
 
 constexpr std::string_view kProgram = "stress_options";
 
-enum Kind : std::size_t { broken, turned, check, spike, far, slow, asked, close };
-constexpr std::size_t kKinds = 8;
+enum Kind : std::size_t { broken, turned, check, spike, far, slow, asked, solid, close };
+constexpr std::size_t kKinds = 9;
 
 // The columns of the table: the kinds of faults come last.
 enum Column : std::size_t { drawn, refused, crashed, hung };
 constexpr std::size_t kFirstKind = 4;
 constexpr std::array<std::string_view, kFirstKind + kKinds> kColumns{
-    "drawn", "refused", "crashed", "hung", "broken", "turned",
-    "check", "spike",   "far",     "slow", "asked",  "close"};
+    "drawn", "refused", "crashed", "hung",  "broken", "turned", "check",
+    "spike", "far",     "slow",    "asked", "solid",  "close"};
 using Counts = Row<kColumns.size()>;
 
 // Most of the meshes, one in so many, that may have close places: a plateau at the isovalue, where
@@ -108,6 +110,8 @@ void mesh_shared(const CommandLine& line, Outcome& outcome) {
   make_reports(run);
   outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   outcome.mesh = united_mesh(run);
+  outcome.sides = run.sides;
+  outcome.capped = line.options.cap;
   write_mesh(outcome.mesh, line.mesh.shared, united_options(run));
   const Frame& frame = source.volume.frame();
   const Box3 box = source.volume.box();
@@ -282,6 +286,12 @@ Verdict run_seed(std::uint64_t seed, const std::string& file) {
       const std::string& word = draw.first_words.front();
       const double value = std::strtod(word.c_str() + word.find('=') + 1, nullptr);
       found[asked] = draw.first->differs(value, with, without);
+    }
+    Random random(seed * 7919);
+    const bool ends = !with.capped && (!with.field || with.verification.mesh.boundary_loops > 0);
+    if (!ends && !with.mesh.faces.empty() && (draw.exempt & kPaper) == 0) {
+      const bool is_closed = found[broken].empty() && found[turned].empty() && found[check].empty();
+      found[solid] = solid_fault(with.mesh, with.sides, is_closed, random);
     }
     for (std::size_t n = 0; n < kKinds; ++n) {
       if (found[n].empty()) continue;

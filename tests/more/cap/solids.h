@@ -26,7 +26,7 @@
 
 namespace deliso {
 
-struct Solid {
+struct ClosedMesh {
   TriMesh mesh;
   Report report;
   std::size_t crossings = 0;
@@ -34,10 +34,10 @@ struct Solid {
 };
 
 // `make`: mesh_isosurface(), or a substitute.
-inline Solid solid_of(const Volume& volume, double kappa, Options options = {},
+inline ClosedMesh solid_of(const Volume& volume, double kappa, Options options = {},
                       TriMesh (&make)(const Volume&, double, const Options&,
                                       Report&) = mesh_isosurface) {
-  Solid solid;
+  ClosedMesh solid;
   options.cap = true;
   solid.lambda = options.limits[Criterion::r_over_l].value;
   solid.mesh = make(volume, kappa, options, solid.report);
@@ -65,7 +65,7 @@ inline std::size_t crossing_pairs(const TriMesh& mesh) {
 
 // Checks that the mesh is closed, manifold and oriented. Caps lie on the box and face out of it;
 // the surface lies nowhere flat on it. Caps over the bound on r/l are counted.
-inline void check_solid(const Solid& solid, const Box3& box) {
+inline void check_closed(const ClosedMesh& solid, const Box3& box) {
   CHECK(solid.report.cap.failure == "");
   CHECK(check_mesh(solid.mesh) == "");
   CHECK(mesh_topology(solid.mesh).boundary_edges == 0);
@@ -95,7 +95,7 @@ inline void check_solid(const Solid& solid, const Box3& box) {
 
 // Returns how many samples on the box are inside and not on a cap, or the reverse. Samples within
 // about half a voxel of the caps' boundary do not count.
-inline int misplaced_samples(const Solid& solid, const Volume& volume, double kappa) {
+inline int misplaced_samples(const ClosedMesh& solid, const Volume& volume, double kappa) {
   const Box3 box = volume.box();
   int misplaced = 0;
   for (int f = 0; f < 6; ++f) {

@@ -22,8 +22,8 @@ TEST_CASE("tiny volumes of noise become closed solids, also over edges and corne
     if (!(value_range(volume).min < kappa && kappa <= value_range(volume).max)) continue;
     Options options;
     options.r_min = {0.25, Length::Unit::voxel};
-    const Solid solid = solid_of(volume, kappa, options);
-    check_solid(solid, volume.box());
+    const ClosedMesh solid = solid_of(volume, kappa, options);
+    check_closed(solid, volume.box());
     capped += solid.mesh.faces.size() > solid.report.cap.surface_triangles;
   }
   CHECK(capped > test::cases(200));
@@ -120,8 +120,8 @@ TEST_CASE("samples of all magnitudes become closed solids that do not cross them
     if (!(range.min < scene.kappa && scene.kappa <= range.max)) continue;
     Options options;
     options.r_min = {0.2, Length::Unit::voxel};
-    const Solid solid = solid_of(scene.volume, scene.kappa, options);
-    check_solid(solid, scene.volume.box());
+    const ClosedMesh solid = solid_of(scene.volume, scene.kappa, options);
+    check_closed(solid, scene.volume.box());
     CHECK(solid.crossings == 0);
     sound += solid.report.cap.failure.empty() && solid.crossings == 0;
     ++solids;
@@ -146,14 +146,14 @@ TEST_CASE(
     } else {
       options.components.min_voxels = static_cast<double>(2 + seed % 5);
     }
-    const Solid solid = solid_of(volume, kappa, options);
+    const ClosedMesh solid = solid_of(volume, kappa, options);
     fewer += solid.report[Counter::components_skipped] > 0;
     if (solid.mesh.faces.empty()) {
       CHECK(solid.report.cap.failure == "");
       ++nothing;
       continue;
     }
-    check_solid(solid, volume.box());
+    check_closed(solid, volume.box());
     CHECK(solid.crossings == 0);
     whole += solid.report.cap.surface_triangles == 0;
   }
@@ -175,8 +175,8 @@ TEST_CASE(
     Options options;
     options.components.min_voxels = min_component;
     const Volume volume = Volume::from_samples(dims, {1, 1, 1}, samples);
-    const Solid solid = solid_of(volume, 0.5, options);
-    check_solid(solid, volume.box());
+    const ClosedMesh solid = solid_of(volume, 0.5, options);
+    check_closed(solid, volume.box());
     return enclosed_volume(solid.mesh);
   };
   const double slab = 11 * 3 * 3;
@@ -200,8 +200,8 @@ TEST_CASE("smooth fields: the caps cover the inside samples of the box, and the 
     const Scene scene = wave_scene(seed, 12, {1, 1, seed % 3 == 0 ? 2.5 : 1.0});
     Options options;
     options.r_min = {0.1, Length::Unit::voxel};
-    const Solid solid = solid_of(scene.volume, 0.3, options);
-    check_solid(solid, scene.volume.box());
+    const ClosedMesh solid = solid_of(scene.volume, 0.3, options);
+    check_closed(solid, scene.volume.box());
     CHECK(misplaced_samples(solid, scene.volume, scene.surface.kappa()) == 0);
     const double expected = sampled_volume(scene.volume, scene.surface.kappa(), 4);
     CHECK(enclosed_volume(solid.mesh) == doctest::Approx(expected).epsilon(0.02));
@@ -211,8 +211,8 @@ TEST_CASE("smooth fields: the caps cover the inside samples of the box, and the 
 TEST_CASE("the gyroid, which fills half of the box, becomes a closed solid") {
   const Scene scene = builtin_scene("gyroid", 32);
   const Vec3 size = scene.volume.box().size();
-  const Solid solid = solid_of(scene.volume, 0);
-  check_solid(solid, scene.volume.box());
+  const ClosedMesh solid = solid_of(scene.volume, 0);
+  check_closed(solid, scene.volume.box());
   CHECK(misplaced_samples(solid, scene.volume, scene.surface.kappa()) == 0);
   CHECK(enclosed_volume(solid.mesh) ==
         doctest::Approx(0.5 * size.x * size.y * size.z).epsilon(0.005));
@@ -221,8 +221,8 @@ TEST_CASE("the gyroid, which fills half of the box, becomes a closed solid") {
 TEST_CASE(
     "solids without a boundary: a ball alone, a bubble in a full box, a full box, an empty one") {
   const Scene ball = builtin_scene("sphere", 20);
-  Solid solid = solid_of(ball.volume, 0);
-  check_solid(solid, ball.volume.box());
+  ClosedMesh solid = solid_of(ball.volume, 0);
+  check_closed(solid, ball.volume.box());
   CHECK(solid.mesh.faces.size() == solid.report.cap.surface_triangles);
 
   const Vec3 size = ball.volume.box().size();
@@ -233,17 +233,17 @@ TEST_CASE(
   });
   const Volume bubble = Volume::from_samples({20, 20, 20}, ball.volume.spacing(), turned);
   solid = solid_of(bubble, 0);
-  check_solid(solid, bubble.box());
+  check_closed(solid, bubble.box());
   CHECK(mesh_topology(solid.mesh).components.size() == 2);
   CHECK(enclosed_volume(solid.mesh) == doctest::Approx(full - of_ball).epsilon(0.01));
 
-  const Solid box = solid_of(bubble, -10);
-  check_solid(box, bubble.box());
+  const ClosedMesh box = solid_of(bubble, -10);
+  check_closed(box, bubble.box());
   CHECK(box.mesh.points.size() == 8);
   CHECK(box.mesh.faces.size() == 12);
   CHECK(enclosed_volume(box.mesh) == doctest::Approx(full).epsilon(1e-12));
 
-  const Solid nothing = solid_of(bubble, 10);
+  const ClosedMesh nothing = solid_of(bubble, 10);
   CHECK(nothing.mesh.faces.empty());
   CHECK(nothing.report.cap.failure == "");
 }
