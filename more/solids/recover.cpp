@@ -25,13 +25,7 @@ struct Crossing {
 
 class Recovery {
  public:
-  Recovery(CellMesh& mesh, std::span<const Wall> walls) : mesh_(mesh), walls_(walls) {
-    for (const Wall& wall : walls) {
-      const Vec3& p = at(wall.v[0]);
-      largest_coordinate_ =
-          std::max({largest_coordinate_, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    }
-  }
+  Recovery(CellMesh& mesh, std::span<const Wall> walls) : mesh_(mesh), walls_(walls) {}
 
   void run() {
     for (WallId w = 0; w < walls_.size(); ++w) {
@@ -70,19 +64,10 @@ class Recovery {
   static constexpr int kMostTries = 24;
   // Of the edges or walls that moves leave, one in as many is cut before moves are tried again.
   static constexpr std::size_t kShareCut = 8;
-  // Two walls are in one plane if a corner is this share of the largest coordinate off: rounding.
-  static constexpr double kInPlane = 1e-13;
-  // They are turned only if the areas of both are more than this share of the first.
+  // Parts of a wall are turned only if their areas are more than this share of it.
   static constexpr double kFlat = 1e-9;
 
   const Vec3& at(VertexId v) const { return mesh_.points[v]; }
-
-  static VertexId third(const Wall& wall, VertexId a, VertexId b) {
-    return *std::ranges::find_if(wall.v, [&](VertexId v) { return v != a && v != b; });
-  }
-  static bool passes(const Wall& wall, VertexId a, VertexId b) {
-    return wall.v[(std::ranges::find(wall.v, a) - wall.v.begin() + 1) % 3] == b;
-  }
 
   // Marks w as a wall of the mesh; returns whether it is a facet there.
   bool mark(WallId w) {
@@ -147,28 +132,29 @@ class Recovery {
     return false;
   }
 
-  // An edge between two walls in one plane, such as parts of one, may as well be their other
-  // diagonal, if that is an edge of cells.
+  // An edge between two parts of one wall may as well be their other diagonal, if that is there.
   bool turn_edge(VertexId a, VertexId b) {
-    const std::vector<WallId> pair = walls_.at_edge(a, b);
-    if (pair.size() != 2) return false;
-    Wall first = walls_[pair[0]], second = walls_[pair[1]];
-    const VertexId u = third(first, a, b), v = third(second, a, b);
+    const std::vector<WallId> parts = walls_.at_edge(a, b);
+    if (parts.size() != 2 || walls_.whole(parts[0]) != walls_.whole(parts[1])) return false;
+    std::array<VertexId, 2> other;
+    for (int k = 0; k < 2; ++k) {
+      for (VertexId v : walls_[parts[k]].v) {
+        if (v != a && v != b) other[k] = v;
+      }
+    }
+    const auto [u, v] = other;
     if (u == v || walls_.has_edge(u, v) || mesh_.cell_with(u, v) == kNoId) return false;
-    // They have the same sides if they pass their edge in opposite directions.
-    const bool alike = passes(first, a, b) != passes(second, a, b);
-    if (!alike || first.front != second.front || first.behind != second.behind) return false;
     const Vec3 normal = cross(at(b) - at(a), at(u) - at(a)), across = at(v) - at(u);
-    const double height = orient3d_value(at(a), at(b), at(u), at(v));
-    if (std::fabs(height) > kInPlane * largest_coordinate_ * length(normal)) return false;
     const double of_a = dot(normal, cross(across, at(a) - at(u)));
     const double of_b = dot(normal, cross(across, at(b) - at(u)));
     const double least = kFlat * length2(normal);
     if (std::min(std::fabs(of_a), std::fabs(of_b)) <= least || (of_a > 0) == (of_b > 0)) return false;
-    std::ranges::replace(first.v, b, v);
-    std::ranges::replace(second.v, a, u);
-    for (WallId w : pair) walls_.remove(w);
-    for (const Wall& wall : {first, second}) require(walls_.add(wall));
+    std::array<Wall, 2> turned{walls_[parts[0]], walls_[parts[0]]};
+    std::ranges::replace(turned[0].v, b, v);
+    std::ranges::replace(turned[1].v, a, v);
+    const WallId whole = walls_.whole(parts[0]);
+    for (WallId w : parts) walls_.remove(w);
+    for (const Wall& wall : turned) require(walls_.add(wall, whole));
     return true;
   }
 
@@ -297,18 +283,18 @@ class Recovery {
     if (x == kNoId) return false;
     ++counts_.cut_walls;
     const Wall cut = walls_[w];
+    const WallId whole = walls_.whole(w);
     walls_.remove(w);
     for (int k = 0; k < 3; ++k) {
       Wall part = cut;
       part.v[k] = x;
-      require(walls_.add(part));
+      require(walls_.add(part, whole));
     }
     return true;
   }
 
   CellMesh& mesh_;
   WallTable walls_;
-  double largest_coordinate_ = 0;
   RecoveryCounts counts_;
   std::deque<std::pair<VertexId, VertexId>> edges_;
   std::deque<WallId> missing_;

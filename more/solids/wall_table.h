@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The walls of a skin by edge. A wall that is cut up has its parts in its place.
+// The walls of a skin by edge: which meet at an edge, which have three given corners. A wall that
+// is cut up has its parts in its place, and each knows which of the skin's it is part of.
 #pragma once
 
 #include <algorithm>
@@ -19,16 +20,19 @@ class WallTable {
  public:
   explicit WallTable(std::span<const Wall> walls) {
     first_.reserve(2 * walls.size());
-    for (const Wall& wall : walls) add(wall);
+    for (const Wall& wall : walls) add(wall, WallId(walls_.size()));
   }
 
   std::size_t size() const { return walls_.size(); }
   bool is_live(WallId w) const { return walls_[w].wall.v[0] != kNoId; }
   const Wall& operator[](WallId w) const { return walls_[w].wall; }
 
-  WallId add(const Wall& wall) {
+  // The wall that was given of which w is part.
+  WallId whole(WallId w) const { return walls_[w].whole; }
+
+  WallId add(const Wall& wall, WallId whole) {
     const WallId w(walls_.size());
-    walls_.push_back({wall, {}});
+    walls_.push_back({wall, {}, whole});
     for (int i = 0; i < 3; ++i) {
       const auto [entry, is_new] = first_.try_emplace(edge(w, i), kNone);
       walls_[w].next[i] = std::exchange(entry->second, 3 * w.number() + i);
@@ -48,10 +52,11 @@ class WallTable {
   // Puts two walls in the place of w: x in the place of one end of its edge a b, and of the other.
   std::array<WallId, 2> cut(WallId w, VertexId a, VertexId b, VertexId x) {
     Wall first = walls_[w].wall, second = first;
+    const WallId whole = walls_[w].whole;
     remove(w);
     std::ranges::replace(first.v, a, x);
     std::ranges::replace(second.v, b, x);
-    return {add(first), add(second)};
+    return {add(first, whole), add(second, whole)};
   }
 
   bool has_edge(VertexId a, VertexId b) const { return first_.contains(key(a, b)); }
@@ -71,6 +76,7 @@ class WallTable {
   struct Entry {
     Wall wall;
     std::array<std::uint32_t, 3> next;  // 3 * wall + edge; edge i runs from v[i] to the next
+    WallId whole;
   };
   static std::uint64_t key(VertexId a, VertexId b) {
     if (b < a) std::swap(a, b);
