@@ -9,8 +9,8 @@ cd "$1"
 
 surface="base exact mesh embedding volume roots isosurface run surface"
 stages="$surface contour coarsen refine"
-all="$stages blocks more/bodies more/cap more/counts"
-io="io/files io/volume io/filter io/mesh io/parts"
+all="$stages blocks more/bodies more/cap more/counts more/solids"
+io="io/files io/volume io/filter io/mesh io/solid io/parts"
 view="view/gray view/page view/render view/trace"
 
 allowed() {
@@ -35,12 +35,14 @@ allowed() {
     more/cap) echo "$surface delaunay/hilbert.h contour refine more/planar more/cap" ;;
     more/counts) echo "$surface contour coarsen refine blocks more/counts" ;;
     more/bodies) echo "$surface coarsen refine more/bodies" ;;
+    more/solids) echo "base exact delaunay more/solids" ;;
     check) echo "base roots exact delaunay mesh embedding volume contour isosurface" \
-      "run/criteria.h check" ;;
+      "run/criteria.h more/solids/solid.h check" ;;
     io/files) echo "base io/files" ;;
     io/volume) echo "base volume io/files io/volume" ;;
     io/filter) echo "base volume io/files io/filter" ;;
     io/mesh) echo "base mesh embedding/box_grid.h io/files io/mesh" ;;
+    io/solid) echo "base more/solids/solid.h io/files io/solid" ;;
     io/parts) echo "base volume mesh blocks/block.h blocks/grid.h check/check_mesh.h $io" ;;
     view/page) echo "base io/files view/page" ;;
     view/render) echo "base mesh io/files view/render" ;;
