@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/text.h"
+#include "base/triangle.h"
 #include "check/solid_facets.h"
 #include "exact/predicates.h"
 #include "mesh/first_at_place.h"

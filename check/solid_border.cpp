@@ -121,11 +121,11 @@ void check_border(const std::vector<Vec3>& points, const std::vector<Triangle>& 
   if (border.empty()) return;
   const TriangleTree tree(points, border, threads);
   const Crossings found = find_crossings(points, border, tree, threads);
-  for (const auto& [f, g] : found.pairs) {
+  for (const auto& pair : found.pairs) {
+    const Triangle &s = border[pair.first], &t = border[pair.second];
     faults.add(
         SolidFaultKind::border_crossings,
-        [&] { return name_of_corners(border[f]) + " meets " + name_of_corners(border[g]); },
-        middle_of(points, border[f]));
+        [&] { return name_of_corners(s) + " meets " + name_of_corners(t); }, middle_of(points, s));
   }
   if (!found.given_up.empty()) {
     const Triangle& t = border[found.given_up[0]];

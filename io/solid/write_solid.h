@@ -65,7 +65,7 @@ void write_solid(const Solid& solid, const Frame& frame, const std::string& path
                  const SolidWriteOptions& options = {});
 
 // Returns the solid as its file will have it: points in the world, cells and walls turned as W2 and
-// W3 ask. Rounding in the world may turn the flattest of cells inside out: check_solid tells.
+// W3 ask. Rounding may turn the flattest cells inside out, which check_solid reports.
 Solid written_solid(const Solid& solid, const Frame& frame);
 
 }  // namespace deliso

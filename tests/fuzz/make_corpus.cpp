@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The first inputs of the fuzz targets: every form in which the tests store a volume, a small mesh
-// in every format, and seeded bytes for the pipeline. Usage: make_corpus FOLDER
+// and a small solid in every format, and seeded bytes for the pipeline. Usage: make_corpus FOLDER
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -12,6 +12,7 @@
 #include "io/mesh/containers.h"
 #include "io/mesh/mesh_files.h"
 #include "io/mesh/write_mesh.h"
+#include "io/solid/solids.h"
 #include "io/volume/volume_files.h"
 
 using namespace deliso;
@@ -171,6 +172,8 @@ int main(int argc, char** argv) {
   const TemporaryFolder folder;
   add_volumes(corpus);
   add_meshes(corpus, folder);
+  corpus.add("medit", written(cube(2), {}, {.format = SolidFormat::medit}));
+  corpus.add("vtu", written(cube(2), {}, {.format = SolidFormat::vtu}));
   add_pipeline(corpus);
   return 0;
 }

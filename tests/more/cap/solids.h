@@ -35,8 +35,8 @@ struct ClosedMesh {
 
 // `make`: mesh_isosurface(), or a substitute.
 inline ClosedMesh solid_of(const Volume& volume, double kappa, Options options = {},
-                      TriMesh (&make)(const Volume&, double, const Options&,
-                                      Report&) = mesh_isosurface) {
+                           TriMesh (&make)(const Volume&, double, const Options&,
+                                           Report&) = mesh_isosurface) {
   ClosedMesh solid;
   options.cap = true;
   solid.lambda = options.limits[Criterion::r_over_l].value;

@@ -139,6 +139,14 @@ inline Skin without_unused(Skin skin) {
   return skin;
 }
 
+// Gives each wall its number, from 1 on, as its kind.
+inline Skin numbered(Skin skin) {
+  for (std::size_t w = 0; w < skin.walls.size(); ++w) {
+    skin.walls[w].kind = static_cast<std::uint32_t>(w + 1);
+  }
+  return skin;
+}
+
 // Checks the solid against its skin: sound, with the skin's triangles, and each region with the
 // volume that its walls enclose.
 inline SolidCheck check_against(const Solid& solid, const Skin& skin) {
@@ -155,6 +163,18 @@ inline SolidCheck check_against(const Solid& solid, const Skin& skin) {
     const auto [volume, error] = volume_of(skin, r);
     CHECK(std::fabs(check.regions[r].volume - volume) <= 1e-12 * volume + error);
   }
+  const bool is_numbered = skin.walls[0].kind == 1;
+  std::size_t strayed = 0;  // walls that do not lie on the one whose kind they have
+  for (const Wall& wall : solid.walls) {
+    if (!is_numbered) break;
+    REQUIRE((wall.kind >= 1 && wall.kind <= skin.walls.size()));
+    const auto& [a, b, c] = skin.walls[wall.kind - 1].v;
+    for (const VertexId v : wall.v) {
+      strayed += distance2_to_triangle(solid.points[v], skin.points[a], skin.points[b],
+                                       skin.points[c]) > 1e-12;
+    }
+  }
+  CHECK(strayed == 0);
   REQUIRE(solid.points.size() >= skin.points.size());
   CHECK(std::equal(skin.points.begin(), skin.points.end(), solid.points.begin()));
   return check;

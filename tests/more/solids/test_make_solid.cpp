@@ -61,7 +61,7 @@ TEST_CASE("closed meshes of tiny volumes are filled, with their triangles and th
         find_place_faults(mesh.points, mesh.triangles()).count() > 0) {
       continue;
     }
-    const Skin skin = without_unused(skin_of(mesh));
+    const Skin skin = numbered(without_unused(skin_of(mesh)));
     SolidOptions how;
     how.fills = seed % 3 != 0;
     // Known failures: walls are lost, though none cross.
@@ -99,7 +99,7 @@ TEST_CASE("cubes of random labels: the region of each cell is the label of its c
       return label[static_cast<std::size_t>(i + n * (j + n * k))];
     };
     if (std::ranges::all_of(label, [](RegionId l) { return l == 0; })) continue;
-    const Skin skin = cubes_skin(n, region, random);
+    const Skin skin = numbered(cubes_skin(n, region, random));
     SolidOptions options;
     options.fills = seed % 4 != 0;
     const Solid solid = make_solid(skin, options);

@@ -69,7 +69,7 @@ std::string refusal_of(const Skin& skin) {
 TEST_CASE("a wall that no mesh of the vertices alone has is recovered: Schönhardt's prism") {
   for (const double degrees : {10., 30., 40., 55., -30., -50.}) {
     CAPTURE(degrees);
-    const Skin skin = twisted_prism(degrees * std::numbers::pi / 180);
+    const Skin skin = numbered(twisted_prism(degrees * std::numbers::pi / 180));
     for (const bool fills : {false, true}) {
       SolidOptions options;
       options.fills = fills;
@@ -143,7 +143,8 @@ Skin pages(int count, double gap) {
 }  // namespace
 
 TEST_CASE("pages and needles near each other") {
-  for (const Skin& skin : {pages(6, .1), pages(2, .01), pages(2, .001), pages(2, 1e-4)}) {
+  for (const Skin& given : {pages(6, .1), pages(2, .01), pages(2, .001), pages(2, 1e-4)}) {
+    const Skin skin = numbered(given);
     check_against(make_solid(skin, {}), skin);
   }
   for (const double gap : {.1, .01, .001}) {
