@@ -119,7 +119,7 @@ try {
   count('swipes over a picture change nothing', unchanged, all);
   count('swipes over a picture scroll the page', went, all);
 
-  for (const [page, stops] of [['tori-paper.html', 8], ['tori.html', 6]]) {
+  for (const [page, stops] of [['tori-paper.html', 8], ['tori.html', 8]]) {
     await browser.open(`http://127.0.0.1:${server.address().port}/${page}`);
     await browser.until('window.deliso?.view.trace !== undefined');
     count(`stops of the tour of ${page} that the trace has`,
