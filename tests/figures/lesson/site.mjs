@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The lesson by finger, on a phone's screen: what is dragged by its handle changes and the page stays; a swipe
 // over a picture scrolls the page and changes nothing. The tours of the site's traces show all that they tell of.
-// Needs Chromium. Usage: node site.mjs SITE [all]; without `all` 32 of the 80 gestures.
+// Needs Chromium. Usage: node site.mjs SITE [all]; without `all` 32 of the 80 gestures on pictures.
 import { spawnSync } from 'node:child_process';
 import { resolve } from 'node:path';
 import { Browser, serve } from '../../web/browser.mjs';
@@ -100,6 +100,36 @@ try {
     }
   }
   count('numbers that are tapped, then dragged change, and the page does not', arrived, few ? 6 : 16);
+
+  // Numbers in sentences by a finger that goes to the side.
+  arrived = 0;
+  const count_of = await browser.value(`document.querySelectorAll('[data-slider]').length`);
+  const place_of = async (n) => {
+    await browser.value(`document.querySelectorAll('[data-slider]')[${n}].scrollIntoView({ block: 'center', behavior: 'instant' })`);
+    await browser.frame();
+    return browser.value(`(({ x, y, width, height }) => [x + width / 2, y + height / 2])(
+      document.querySelectorAll('[data-slider]')[${n}].getBoundingClientRect())`);
+  };
+  const number = (n) => browser.value(`document.querySelectorAll('[data-slider]')[${n}].textContent`);
+  for (let n = 0; n < count_of; ++n) {
+    const at = await place_of(n), before = await number(n);
+    await browser.swipe(at, [at[0] > 195 ? -60 : 60, 0], 8);
+    await until_still();
+    const after = await number(n);
+    if (after === before) console.log(`number ${n} in a sentence: still ${after}`);
+    arrived += after !== before;
+  }
+  count('numbers in sentences that are dragged to the side change', arrived, count_of);
+  arrived = 0;
+  for (let n = 0; n < count_of; ++n) {
+    const at = await place_of(n), before = await number(n), top = await browser.value('scrollY');
+    await browser.swipe(at, [0, n % 2 ? 140 : -140]);
+    await until_still();
+    const fine = await number(n) === before && await browser.value('scrollY') !== top;
+    if (!fine) console.log(`number ${n} in a sentence: ${before} to ${await number(n)}`);
+    arrived += fine;
+  }
+  count('swipes over numbers in sentences scroll the page, and change nothing', arrived, count_of);
 
   let unchanged = 0, went = 0, all = 0;
   for (const name of ['samples', 'contour', 'coarsen', 'insertion', 'mesh']) {

@@ -617,7 +617,7 @@ test('the lesson itself: what its text and the pictures of the guide say', () =>
   state.way = 'few';
   assert.match(kPictures.need.tell(state)[0], /meets itself at A/);
   state.way = 'cubes';
-  assert.match(kPictures.need.tell(state)[0], /38 edges in 2 loops\. \u03a3 has 1\./);
+  assert.match(kPictures.need.tell(state)[0], /38 edges in 2 loops\. \u03a3 has 1 loop\./);
   for (let kappa = 40; kappa <= 65; ++kappa) {
     state.start_again();
     state.set_kappa(kappa);
