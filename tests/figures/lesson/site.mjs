@@ -3,6 +3,7 @@
 // over a picture scrolls the page and changes nothing. The tours of the site's traces show all that they tell of.
 // Needs Chromium. Usage: node site.mjs SITE [all]; without `all` 32 of the 80 gestures on pictures.
 import { spawnSync } from 'node:child_process';
+import { existsSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { Browser, serve } from '../../web/browser.mjs';
 
@@ -112,6 +113,7 @@ try {
   };
   const number = (n) => browser.value(`document.querySelectorAll('[data-slider]')[${n}].textContent`);
   for (let n = 0; n < count_of; ++n) {
+    await browser.value('lesson.state.limit = 0.1; lesson.state.redraw()');  // several name it, and it has a least value
     const at = await place_of(n), before = await number(n);
     await browser.swipe(at, [at[0] > 195 ? -60 : 60, 0], 8);
     await until_still();
@@ -148,6 +150,25 @@ try {
   }
   count('swipes over a picture change nothing', unchanged, all);
   count('swipes over a picture scroll the page', went, all);
+
+  // The reader's slice by the program, where the site has it: the neck is cut, then a piece has a hole.
+  if (existsSync(resolve(process.argv[2], 'browser/deliso.wasm'))) {
+    const told = `document.querySelector('#body .status').textContent`;
+    const edges = `document.querySelectorAll('#body .outer, #body .inner').length`;
+    await browser.value(`lesson.state.start_again(); lesson.state.redraw(); document.querySelector('#body button').click()`);
+    const shows = async (counts) => {
+      await browser.until(`${told}.includes('; ${counts}')`);
+      return Number((await browser.value(told)).match(/(\d+) triangles/)[1]) === await browser.value(edges);
+    };
+    let right = await shows('1 component, Euler number 2');
+    await browser.value('lesson.state.set_kappa(53); lesson.state.redraw()');
+    right &= await shows('2 components, Euler number 4');
+    await browser.value('lesson.state.choose_sample(9, 5); lesson.state.set_sample(10); lesson.state.redraw()');
+    right &= await shows('2 components, Euler number 2');
+    count('meshes of the slice by the program, of three', right ? 3 : 0, 3);
+  } else if (await browser.value(`document.getElementById('body').offsetWidth`) > 0) {
+    count('pictures of a program that is not there', 1, 0);
+  }
 
   for (const [page, stops] of [['tori-paper.html', 8], ['tori.html', 8]]) {
     await browser.open(`http://127.0.0.1:${server.address().port}/${page}`);
