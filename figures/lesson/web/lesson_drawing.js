@@ -113,6 +113,9 @@ const largest_h = (state, loops) => Math.max(...facets_of(state.field, state.kap
 
 const in_voxels = (x) => `${x.toFixed(2)} voxels`;
 
+// A sentence in lines of some 22 letters.
+const in_lines = (text) => text.match(/.{1,22}(?= |$)/g).map((line) => line.trim());
+
 // K's edges, as lines of points.
 const edges_of_dual = ({ contour, regions, sites }) => regions.interfaces.map(({ a, b }) =>
   [0, 0.2, 0.4, 0.6, 0.8, 1].map((t) => between(contour.points[sites[a]], contour.points[sites[b]], t)));
@@ -151,7 +154,7 @@ function draw_large_voxel(picture, state) {
     const { at, value, joined } = saddle;
     picture.cross(at, 7);
     picture.point_out(at, [`saddle ${value.toFixed(1)} ${joined ? '\u2265' : '<'} ${kappa}:`, joined ? 'joined' : 'apart'],
-                      [...contour.curves, corners, names, ...sides]);
+                      [...contour.curves, corners, names], sides);
   }
   const [left, right] = [field.at(i, j), field.at(i + 1, j)];
   if ((left >= kappa) === (right >= kappa)) return;

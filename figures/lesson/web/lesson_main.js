@@ -13,6 +13,8 @@ function begin() {
   const sliders = [...document.querySelectorAll('[data-slider]')];
   for (const place of sliders) make_slider(place, place.dataset.slider, state, act);
   state.redraw = () => {
+    // All are measured before one is changed.
+    for (const board of boards) board.resize();
     for (const shown of [...boards, ...sliders]) shown.refresh();
     for (const number of document.querySelectorAll('[data-number]')) {
       number.textContent = kNumbers[number.dataset.number](state);
@@ -29,11 +31,13 @@ function begin() {
   window.lesson = { state };  // for the console, and for tests
 }
 
-// Pseudocode is open where there is room beside its picture.
+// Pseudocode is open where there is room beside its picture, and on paper.
 function fold_code(has_room) {
-  const fold = () => { for (const code of document.querySelectorAll('.fold')) code.open = has_room.matches; };
-  has_room.addEventListener('change', fold);
-  fold();
+  const fold = (is_open) => { for (const code of document.querySelectorAll('.fold')) code.open = is_open; };
+  has_room.addEventListener('change', () => fold(has_room.matches));
+  window.addEventListener('beforeprint', () => fold(true));
+  window.addEventListener('afterprint', () => fold(has_room.matches));
+  fold(has_room.matches);
 }
 
 // The text of a function or method as the browser has it, with its words in colors.
@@ -91,13 +95,15 @@ class Board {
     this.task = figure.querySelector('[data-task]');
   }
 
+  resize() {
+    this.picture.resize();
+    this.zoom?.resize(this.kind.zoom.view(this.state));
+  }
   refresh() {
     const { picture, zoom, state, kind } = this;
-    picture.resize();
     picture.clear();
     kind.draw(picture, state);
     if (zoom) {
-      zoom.resize(kind.zoom.view(state));
       zoom.clear();
       kind.zoom.draw(zoom, state);
     }

@@ -47,6 +47,7 @@ class Picture {
     this.svg.append(this.ground, this.handles);
     place.append(this.svg);
     this.sites = [];
+    this.widths = {};
     this.letters = [];  // where those stand that words shall not lie on
     this.contour = null;
     this.listen();
@@ -116,30 +117,38 @@ class Picture {
     }
   }
   // Words about a place, in red, with an arrow from them to it. They stand as near to it as they can without
-  // lying on a curve, a handle or a letter; the arrow goes around the last two if it is not much longer so.
-  point_out(place, lines, curves) {
+  // lying on a curve, a handle or a letter; the arrow goes around the last two if it is not much longer so. They lie on
+  // what is of the others where there is no room else.
+  point_out(place, lines, curves, others = []) {
     const [px, py] = this.to_paper(place), kLine = 17;
     const words = lines.map((line) => this.put('text', { class: 'remark' }, line));
-    const half = [Math.max(...words.map((text) => text.getBBox().width)) / 2 + 2, kLine * lines.length / 2];
+    // Measured once: to measure makes the browser lay out the page.
+    const width_of = (text) => this.widths[`${this.width} ${text.textContent}`] ??= text.getBBox().width;
+    const half = [Math.max(...words.map(width_of)) / 2 + 2, kLine * lines.length / 2];
     const named = [...this.sites.map((v) => this.to_paper(this.contour.points[v])), ...this.letters]
       .filter((q) => distance(q, [px, py]) > 1);
-    const taken = [...curves.flat().map((p) => this.to_paper(p)), [px, py], ...named];
+    const of = (points) => points.flat().map((p) => this.to_paper(p));
+    const taken = [...of(curves), [px, py], ...named], all = [...taken, ...of(others)];
     const off = ([x, y], [qx, qy]) => Math.hypot(Math.max(0, Math.abs(qx - x) - half[0]), Math.max(0, Math.abs(qy - y) - half[1]));
     const start = ([x, y]) => [clamp(px, x - half[0] + 6, x + half[0] - 6), clamp(py, y - half[1], y + half[1])];
     const passes = (p, q) => [0.2, 0.35, 0.5, 0.65, 0.8].some((t) => distance(between(p, [px, py], t), q) < 11);
-    const find = (margin) => {
+    // The nearest places first: most of the others need no look.
+    const places = [];
+    for (let y = half[1] + 4; y <= this.height - half[1] - 4; y += 10) {
+      for (let x = half[0] + 4; x <= this.width - half[0] - 4; x += 10) places.push({ at: [x, y], gap: off([x, y], [px, py]) });
+    }
+    places.sort((p, q) => p.gap - q.gap);
+    const find = (margin, taken) => {
       let best = null, least = Infinity;
-      for (let y = half[1] + 4; y <= this.height - half[1] - 4; y += 8) {
-        for (let x = half[0] + 4; x <= this.width - half[0] - 4; x += 8) {
-          const gap = off([x, y], [px, py]);
-          if (gap < 10 + margin || gap >= least || taken.some((q) => off([x, y], q) < margin)) continue;
-          const cost = gap + 40 * named.filter((q) => passes(start([x, y]), q)).length;
-          if (cost < least) [best, least] = [[x, y], cost];
-        }
+      for (const { at, gap } of places) {
+        if (gap >= least) break;
+        if (gap < 10 + margin || taken.some((q) => off(at, q) < margin)) continue;
+        const cost = gap + 40 * named.filter((q) => passes(start(at), q)).length;
+        if (cost < least) [best, least] = [at, cost];
       }
       return best;
     };
-    const best = find(14) ?? find(5);
+    const best = find(14, all) ?? find(5, all) ?? find(5, taken);
     if (!best) {
       for (const text of words) text.remove();
       return;
@@ -187,9 +196,14 @@ class Picture {
       for (let i = 0; i < this.columns; ++i) {
         const near = lines.filter((p) => distance(p, [i, j]) < 1);
         const clear = ([x, y]) => Math.min(0.36, ...near.map((p) => distance(p, [x, y])));
-        const places = up.flatMap((dy) => across.map((dx) => [i + dx, j + dy]));
-        const cost = (p) => distance(p, [i, j]) - 4 * clear(p);
-        const place = places.reduce((best, p) => cost(p) < cost(best) ? p : best), [x, y] = this.to_paper(place);
+        let place = [i, j], least = Infinity;
+        for (const dy of up) {
+          for (const dx of near.length > 0 ? across : [0]) {
+            const p = [i + dx, j + dy], cost = Math.hypot(dx, dy) - 4 * clear(p);
+            if (cost < least) [place, least] = [p, cost];
+          }
+        }
+        const [x, y] = this.to_paper(place);
         if (i === chosen[0] && j === chosen[1]) this.dot(place, 'chosen-sample', 0.32 * this.scale);
         this.put('text', { x, y: y + 0.11 * this.scale, class: 'number bare', 'font-size': (0.31 * this.scale).toFixed(1) },
                  String(field.at(i, j)));

@@ -175,6 +175,10 @@ const kPictures = {
       if (v >= 0) draw_removal(picture, state.removal(), state.limit);
       picture.put_sites(state.contour, v < 0 ? [] : [v], ['p'], 0, [this.tell(state).join(' ')],
                         { role: 'Vertex', allowed: (u) => state.is_left(u) });
+      if (v < 0) return;
+      const { why, off } = state.removal();
+      const told = why === '' ? ['p may go'] : ['p stays:', ...in_lines(off > state.limit ? `it is ${off.toFixed(2)} from the new edge` : why)];
+      picture.point_out(points[v], told, [...state.contour.curves, ...loops.map((loop) => loop.map((u) => points[u]))]);
     },
     tell(state) {
       const { loops, pass } = state.coarsened, v = state.tried_vertex();
@@ -203,6 +207,10 @@ const kPictures = {
       draw_insertion(picture, state);
       draw_added(picture, state);
       put_sites(picture, state);
+      const facets = state.facets(), facet = state.facet(facets);
+      const why = why_not_inserted(state.field, state.kappa, facets, facet);
+      if (why === '') return;
+      picture.point_out(facet.x ?? facet.center, ['refused:', ...in_lines(why)], [...state.contour.curves, ...state.loops]);
     },
     tell(state) {
       const facets = state.facets(), facet = state.facet(facets), next = state.next_facet(facets);

@@ -31,8 +31,10 @@ class Solid {
       const places = points.map(([x, y]) => `${x.toFixed(3)} ${(-y).toFixed(3)}`);
       const d = `M${places.join('L')}${polygon.line ? '' : 'Z'}`, is_front = area_of(points) > 0;
       const name = polygon.line ?? (is_front ? polygon.front : polygon.back);
-      const style = polygon.lit ? { style: `--light: ${light_on(points, is_front).toFixed(0)}%` } : {};
-      return svg_element('path', { d, class: name, 'vector-effect': 'non-scaling-stroke', ...style });
+      const path = polygon.path ??= svg_element('path', { 'vector-effect': 'non-scaling-stroke' });
+      path.setAttribute('d', d);
+      path.setAttribute('class', polygon.lit ? `${name} lit${light_on(points, is_front)}` : name);
+      return path;
     }), ...this.placed(letters).map(({ polygon, at: [x, y] }) => svg_element('text', { x: x.toFixed(3), y: (-y).toFixed(3), dy: '.05' },
                                                                         polygon.letter)));
   }
@@ -65,10 +67,11 @@ function turning(yaw, pitch) {
   return turned;
 }
 
-// How bright a side is, in percent: it faces a light over the eye's left shoulder, or away from it.
+// How bright a side is, from 0 to 10: it faces a light over the eye's left shoulder, or away from it.
+const kToLight = unit([-0.5, 0.8, 0.9]);
 function light_on(points, is_front) {
   const normal = unit(cross(subtract(points[1], points[0]), subtract(points[2], points[0])));
-  return 50 + 50 * dot(scaled(normal, is_front ? 1 : -1), unit([-0.5, 0.8, 0.9]));
+  return Math.round(5 + 5 * dot(scaled(normal, is_front ? 1 : -1), kToLight));
 }
 
 // Twice the area in x and y; positive: counter-clockwise.

@@ -14,7 +14,7 @@ function put_torus(figure, pieces) {
             ...ends.map((end) => ({ points: end.map((v) => at[v]), line: 'end', lift: 0.04, shift }))];
   });
   let shows_mesh = false;
-  for (const [a, b] of neighbors_of(pieces)) {
+  for (const [a, b] of neighbors_of(pieces).pairs) {
     polygons.push({ points: [a, b].map((n) => placed(pieces[n].site)), shift: [shifts[a], shifts[b]], line: 'joined',
                     lift: 0.22, is_hidden: () => !shows_mesh });
   }
@@ -59,7 +59,7 @@ function put_torus(figure, pieces) {
   else grow(begun);
 }
 
-// Which pieces meet along an end: pairs of their numbers. A point that three have is printed alike for each, nearly.
+// Which pieces meet, by their numbers: three in a point, two along a curve. A point is printed alike for each, nearly.
 function neighbors_of(pieces) {
   const corners = [];
   pieces.forEach(({ points, ends }, n) => {
@@ -69,10 +69,10 @@ function neighbors_of(pieces) {
       else corners.push({ p: points[v], pieces: new Set([n]) });
     }
   });
+  const triples = corners.filter(({ pieces: around }) => around.size >= 3).map(({ pieces: around }) => [...around]);
   const pairs = new Map();
-  for (const { pieces: around } of corners) {
-    if (around.size < 3) continue;
+  for (const around of triples) {
     for (const a of around) for (const b of around) if (a < b) pairs.set(`${a} ${b}`, [a, b]);
   }
-  return [...pairs.values()];
+  return { triples, pairs: [...pairs.values()] };
 }
