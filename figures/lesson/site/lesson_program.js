@@ -16,8 +16,10 @@ function volume_of({ columns, rows, samples }) {
 
 // {points, triangles} of an OBJ file.
 function mesh_of(obj) {
-  const rows = (kind) => obj.split('\n').filter((line) => line.startsWith(`${kind} `)).map((line) => line.split(' ').slice(1));
-  return { points: rows('v').map((row) => row.map(Number)), triangles: rows('f').map((row) => row.map((n) => parseInt(n) - 1)) };
+  const lines = obj.split('\n');
+  const rows = (kind) => lines.filter((line) => line.startsWith(`${kind} `)).map((line) => line.split(' ').slice(1));
+  return { points: rows('v').map((row) => row.map(Number)),
+           triangles: rows('f').map((row) => row.map((n) => parseInt(n) - 1)) };
 }
 
 const beside = (name) => new URL(name, import.meta.url);
@@ -50,8 +52,8 @@ function set_up(figure, state) {
     // Sigma in the slice, on it.
     const curves = state.contour.curves.flatMap((curve) => curve.map((p, n) =>
       ({ points: [p, curve[(n + 1) % curve.length]].map((q) => placed([...q, kLayers])), line: 'joined', lift: 0.06 })));
-    solid = new Solid(svg, [...triangles.map((t) => ({ points: t.map((v) => at[v]), front: 'outer', back: 'inner', lit: true })),
-                            ...curves], 2.3, 1.22);
+    const facets = triangles.map((t) => ({ points: t.map((v) => at[v]), front: 'outer', back: 'inner', lit: true }));
+    solid = new Solid(svg, [...facets, ...curves], 2.3, 1.22);
     draw();
   };
   // The slice as it is. A change during a run is meshed after it.
@@ -63,7 +65,8 @@ function set_up(figure, state) {
     press.disabled = true;
     if (!module) status.textContent = 'The program is loaded.';
     try {
-      const args = ['slice.nrrd', '--iso', String(state.kappa), '--max-distance', `${state.limit.toFixed(2)}vox`, '-o', 'body.obj'];
+      const args = ['slice.nrrd', '--iso', String(state.kappa), '--max-distance', `${state.limit.toFixed(2)}vox`,
+                    '-o', 'body.obj'];
       const begun = performance.now();
       const { said, outputs } = await run(args, { 'slice.nrrd': volume_of(state.field) }, ['body.obj']);
       const seconds = ((performance.now() - begun) / 1000).toFixed(2);
@@ -84,7 +87,8 @@ function set_up(figure, state) {
     draw();
   });
   svg.setAttribute('aria-label', 'The body, not meshed yet');
-  figure.prepend(element('div', { class: 'board torus meshed' }, svg, status, element('div', { class: 'controls' }, press)));
+  const controls = element('div', { class: 'controls' }, press);
+  figure.prepend(element('div', { class: 'board torus meshed' }, svg, status, controls));
   const { redraw } = state;
   state.redraw = () => {
     redraw();

@@ -142,7 +142,7 @@ const kControls = {
                                act(() => s.add_site(s.fault.insert)), () => (s.fault?.insert ?? -1) >= 0),
   // Only where it fails.
   certify: (s, act) => {
-    const made = press('Insert until it holds', 'Insert what the certificate asks for', act(() => s.certify()));
+    const made = press('Certify', 'Certify: insert what the certificate asks for until it holds', act(() => s.certify()));
     made.refresh = () => { made.hidden = s.added.length === 0; };
     return made;
   },
@@ -163,7 +163,8 @@ const kControls = {
     s.insert();
   }), () => s.next_facet(s.facets()) !== null),
   shown: (s, act) => range('shown', s, act),
-  worst: (s, act) => press('Worst', 'Select the worst edge, the one that is furthest from \u03a3', act(() => { s.edge = null; })),
+  worst: (s, act) => press('Worst', 'Select the worst edge, the one that is furthest from \u03a3',
+                           act(() => { s.edge = null; })),
   next: (s, act) => press('Next', 'Select the next edge, the one after this one', act(() => {
     const facets = s.facets(), at = facets.indexOf(s.facet(facets));
     s.edge = facets[(at + 1) % facets.length].center;

@@ -132,7 +132,7 @@ function draw_large_voxel(picture, state) {
   draw_voxel(picture, [i, j]);
   for (const curve of contour.curves) picture.polyline(curve, 'sigma dashed', true);
   picture.draw_contour(contour, 'contour', false);
-  const sides = [0, 0.25, 0.5, 0.75].map((t) => [[i + t, j], [i + 1, j + t], [i + 1 - t, j + 1], [i, j + 1 - t]]);
+  const sides = [0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9].map((t) => [[i + t, j], [i + 1, j + t], [i + 1 - t, j + 1], [i, j + 1 - t]]);
   const corners = [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]];
   const is_here = ([x, y]) => x >= i && x <= i + 1 && y >= j && y <= j + 1;
   for (const p of contour.points) if (is_here(p)) picture.dot(p, 'vertex', 5);
@@ -141,7 +141,7 @@ function draw_large_voxel(picture, state) {
   const v = contour.points.findIndex((p, u) => is_here(p) && is_here(contour.points[contour.next[u]]));
   if (v >= 0) {
     const p = contour.points[v], q = contour.points[contour.next[v]], size = distance(p, q) || 1, m = between(p, q, 0.5);
-    const outwards = [(q[1] - p[1]) / size, (p[0] - q[0]) / size], at = (t) => [m[0] + t * outwards[0], m[1] + t * outwards[1]];
+    const [dx, dy] = [(q[1] - p[1]) / size, (p[0] - q[0]) / size], at = (t) => [m[0] + t * dx, m[1] + t * dy];
     const side = field.value(m) >= kappa ? 1 : -1;
     let t = 0;
     while (t < 0.5 && (field.value(at(side * t)) >= kappa) === side > 0) t += 0.01;
@@ -158,8 +158,8 @@ function draw_large_voxel(picture, state) {
   }
   const [left, right] = [field.at(i, j), field.at(i + 1, j)];
   if ((left >= kappa) === (right >= kappa)) return;
-  const whole = `t = (${left} \u2212 ${kappa}) / (${left} \u2212 ${right}) = ${((left - kappa) / (left - right)).toFixed(2)}`;
-  picture.text([i + 0.5, j], whole, 'formula', [0, 40]);
+  const t = ((left - kappa) / (left - right)).toFixed(2);
+  picture.text([i + 0.5, j], `t = (${left} \u2212 ${kappa}) / (${left} \u2212 ${right}) = ${t}`, 'formula', [0, 40]);
 }
 
 // The vertex p that coarsening tries, the edge to come, and what may not be near it: within D on the wrong
@@ -202,7 +202,9 @@ function draw_insertion(picture, state) {
   if (!x) return;
   picture.dot(x, 'surface-point', 6);
   picture.text(x, 'x', 'label', [16 * dx - 4, -16 * dy + 5]);
-  picture.text(between(center, x, 0.5), `h = ${facet.h.toFixed(2)}`, 'label', [3.6 * aside[0], 3.6 * aside[1] + 5]);
+  const [hx, hy] = picture.to_paper(between(center, x, 0.5));
+  picture.put('text', { x: clamp(hx + 3.6 * aside[0], 36, picture.width - 36), y: hy + 3.6 * aside[1] + 5, class: 'label' },
+              `h = ${facet.h.toFixed(2)}`);
   // On the side of the ball that the edge is not on.
   const side = center[1] > x[1] ? -1 : 1;
   const [px, py] = picture.to_paper([x[0], x[1] + side * facet.radius]);

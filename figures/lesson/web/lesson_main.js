@@ -42,11 +42,14 @@ function fold_code(has_room) {
 
 // The text of a function or method as the browser has it, with its words in colors.
 function code_of(run) {
-  const lines = run.toString().replace(/^\(/, `const ${run.name} = (`).split('\n'), indent = lines.at(-1).match(/^ */)[0].length;
+  const lines = run.toString().replace(/^\(/, `const ${run.name} = (`).split('\n');
+  const indent = lines.at(-1).match(/^ */)[0].length;
   const text = [lines[0], ...lines.slice(1).map((line) => line.slice(Math.min(indent, line.search(/\S|$/))))].join('\n');
-  const words = /(\/\/.*)|('[^']*'|`[^`]*`)|\b(const|let|for|of|in|if|else|while|return|function|new|null|true|false|continue|break)\b/;
-  return text.split(new RegExp(words.source, 'g')).reduce((made, piece, n) => {
-    if (piece) made.push(n % 4 === 0 ? piece : element('span', { class: [null, 'comment', 'string', 'word'][n % 4] }, piece));
+  const words = new RegExp('(//.*)|(\'[^\']*\'|`[^`]*`)|' +
+    '\\b(const|let|for|of|in|if|else|while|return|function|new|null|true|false|continue|break)\\b', 'g');
+  const kinds = [null, 'comment', 'string', 'word'];
+  return text.split(words).reduce((made, piece, n) => {
+    if (piece) made.push(n % 4 === 0 ? piece : element('span', { class: kinds[n % 4] }, piece));
     return made;
   }, []);
 }

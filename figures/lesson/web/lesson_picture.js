@@ -97,7 +97,8 @@ class Picture {
   }
   cross(at, size) {
     const [x, y] = this.to_paper(at);
-    this.put('path', { class: 'cross', d: `M${x - size} ${y - size}l${2 * size} ${2 * size}m0 ${-2 * size}l${-2 * size} ${2 * size}` });
+    const d = `M${x - size} ${y - size}L${x + size} ${y + size}M${x - size} ${y + size}L${x + size} ${y - size}`;
+    this.put('path', { class: 'cross', d });
   }
   // Which side is which, where there is most room for the word.
   name_sides(contour, field, kappa) {
@@ -117,8 +118,8 @@ class Picture {
     }
   }
   // Words about a place, in red, with an arrow from them to it. They stand as near to it as they can without
-  // lying on a curve, a handle or a letter; the arrow goes around the last two if it is not much longer so. They lie on
-  // what is of the others where there is no room else.
+  // lying on a curve, a handle or a letter. If it is not much further so, the arrow goes around the last two, and
+  // nothing lies on the others.
   point_out(place, lines, curves, others = []) {
     const [px, py] = this.to_paper(place), kLine = 17;
     const words = lines.map((line) => this.put('text', { class: 'remark' }, line));
@@ -128,27 +129,31 @@ class Picture {
     const named = [...this.sites.map((v) => this.to_paper(this.contour.points[v])), ...this.letters]
       .filter((q) => distance(q, [px, py]) > 1);
     const of = (points) => points.flat().map((p) => this.to_paper(p));
-    const taken = [...of(curves), [px, py], ...named], all = [...taken, ...of(others)];
-    const off = ([x, y], [qx, qy]) => Math.hypot(Math.max(0, Math.abs(qx - x) - half[0]), Math.max(0, Math.abs(qy - y) - half[1]));
+    const taken = [...of(curves), [px, py], ...named], better_free = of(others);
+    const off = ([x, y], [qx, qy]) =>
+      Math.hypot(Math.max(0, Math.abs(qx - x) - half[0]), Math.max(0, Math.abs(qy - y) - half[1]));
     const start = ([x, y]) => [clamp(px, x - half[0] + 6, x + half[0] - 6), clamp(py, y - half[1], y + half[1])];
     const passes = (p, q) => [0.2, 0.35, 0.5, 0.65, 0.8].some((t) => distance(between(p, [px, py], t), q) < 11);
     // The nearest places first: most of the others need no look.
     const places = [];
     for (let y = half[1] + 4; y <= this.height - half[1] - 4; y += 10) {
-      for (let x = half[0] + 4; x <= this.width - half[0] - 4; x += 10) places.push({ at: [x, y], gap: off([x, y], [px, py]) });
+      for (let x = half[0] + 4; x <= this.width - half[0] - 4; x += 10) {
+        places.push({ at: [x, y], gap: off([x, y], [px, py]) });
+      }
     }
     places.sort((p, q) => p.gap - q.gap);
-    const find = (margin, taken) => {
+    const find = (margin) => {
       let best = null, least = Infinity;
       for (const { at, gap } of places) {
         if (gap >= least) break;
         if (gap < 10 + margin || taken.some((q) => off(at, q) < margin)) continue;
-        const cost = gap + 40 * named.filter((q) => passes(start(at), q)).length;
+        const cost = gap + 40 * named.filter((q) => passes(start(at), q)).length +
+                     (better_free.some((q) => off(at, q) < 4) ? 40 : 0);
         if (cost < least) [best, least] = [at, cost];
       }
       return best;
     };
-    const best = find(14, all) ?? find(5, all) ?? find(5, taken);
+    const best = find(12) ?? find(5);
     if (!best) {
       for (const text of words) text.remove();
       return;
@@ -189,7 +194,8 @@ class Picture {
   }
   // The numbers alone, each at its sample or beside it, clear of the vertices of T, of Sigma and of a square.
   draw_numbers(field, chosen, contour, [left, low]) {
-    const square = [0, 0.2, 0.4, 0.6, 0.8].flatMap((t) => [[left + t, low], [left + 1, low + t], [left + 1 - t, low + 1], [left, low + 1 - t]]);
+    const square = [0, 0.2, 0.4, 0.6, 0.8].flatMap((t) =>
+      [[left + t, low], [left + 1, low + t], [left + 1 - t, low + 1], [left, low + 1 - t]]);
     const lines = [...contour.points, ...contour.curves.flat(), ...square];
     const across = [0, 0.34, -0.34], up = [0, 0.3, -0.3];
     for (let j = 0; j < this.rows; ++j) {

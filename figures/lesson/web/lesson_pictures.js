@@ -22,7 +22,8 @@ const kPictures = {
     controls: ['cubes', 'refined', 'kappa', 'undo', 'again'],
     code: () => [marching_cubes_of],
     legend: ({ way }) => [['line', 'sigma dashed', '\u03a3'], ...way === 'cubes'
-      ? [['line', 'contour', 'Marching Cubes'], ['line', 'wrong', 'not as in \u03a3'], ['ring', 'short', `shorter than ${in_voxels(kShort)}`]]
+      ? [['line', 'contour', 'Marching Cubes'], ['line', 'wrong', 'not as in \u03a3'],
+         ['ring', 'short', `shorter than ${in_voxels(kShort)}`]]
       : [['line', 'dual', 'ten points, refined'], ['ring', 'stray', 'where it meets itself']]],
     draw(picture, state) {
       draw_body(picture, state);
@@ -37,7 +38,8 @@ const kPictures = {
         for (const [p, q] of edges) {
           if (distance(p, q) < kShort) picture.dot(between(p, q, 0.5), 'short', 0.3 * picture.scale);
         }
-        if (wrong.length > 0) picture.point_out(between(...wrong[0], 0.5), ['Marching Cubes', 'cuts the neck'], state.contour.curves);
+        const cuts = ['Marching Cubes', 'cuts the neck'];
+        if (wrong.length > 0) picture.point_out(between(...wrong[0], 0.5), cuts, state.contour.curves);
         return;
       }
       for (const loop of few_points_refined(state).loops) {
@@ -68,7 +70,8 @@ const kPictures = {
   samples: {
     controls: ['kappa', 'sample', 'undo', 'again'],
     code: () => [Field.prototype.value],
-    legend: () => [['ring', 'sample inside', 'at least \u03ba: inside'], ['ring', 'sample outside', 'below \u03ba: outside'],
+    legend: () => [['ring', 'sample inside', 'at least \u03ba: inside'],
+                   ['ring', 'sample outside', 'below \u03ba: outside'],
                    ['square', 'zoomed filled', 'a voxel whose corners alternate']],
     draw(picture, state) {
       picture.draw_sides(null);
@@ -114,7 +117,8 @@ const kPictures = {
   sites: {
     controls: ['undo', ...kSites],
     code: () => [regions_of],
-    legend: ({ regions }) => [['ring', 'knob', 'a site, a vertex of T'], ['line', 'band style0', 'a region: nearest to one site'],
+    legend: ({ regions }) => [
+      ['ring', 'knob', 'a site, a vertex of T'], ['line', 'band style0', 'a region: nearest to one site'],
       ...regions.arcs.some((arcs) => arcs.length > 1) ? [['line', 'band astray', 'a piece without its site']] : [],
       ['line', 'voronoi', 'as far from one site as from another']],
     takes_keys: true,
@@ -151,8 +155,8 @@ const kPictures = {
   coarsen: {
     controls: ['back_removal', 'remove_vertex', 'play_removals', 'limit'],
     code: () => [removal_of, coarsening_round],
-    legend: () => [['line', 'dual', 'what is left of T'], ['line', 'contour faint', 'T'], kSigma, ['line', 'coming', 'the new edge'],
-                   ['square', 'bound', 'within D of it'], ['ring', 'ball', 'its ball']],
+    legend: () => [['line', 'dual', 'what is left of T'], ['line', 'contour faint', 'T'], kSigma,
+                   ['line', 'coming', 'the new edge'], ['square', 'bound', 'within D of it'], ['ring', 'ball', 'its ball']],
     takes_keys: true,
     // Of p, the vertex that is tried.
     handles: {
@@ -177,7 +181,8 @@ const kPictures = {
                         { role: 'Vertex', allowed: (u) => state.is_left(u) });
       if (v < 0) return;
       const { why, off } = state.removal();
-      const told = why === '' ? ['p may go'] : ['p stays:', ...in_lines(off > state.limit ? `it is ${off.toFixed(2)} from the new edge` : why)];
+      const reason = off > state.limit ? `it is ${off.toFixed(2)} from the new edge` : why;
+      const told = why === '' ? ['p may go'] : ['p stays:', ...in_lines(reason)];
       picture.point_out(points[v], told, [...state.contour.curves, ...loops.map((loop) => loop.map((u) => points[u]))]);
     },
     tell(state) {

@@ -35,8 +35,8 @@ class Solid {
       path.setAttribute('d', d);
       path.setAttribute('class', polygon.lit ? `${name} lit${light_on(points, is_front)}` : name);
       return path;
-    }), ...this.placed(letters).map(({ polygon, at: [x, y] }) => svg_element('text', { x: x.toFixed(3), y: (-y).toFixed(3), dy: '.05' },
-                                                                        polygon.letter)));
+    }), ...this.placed(letters).map(({ polygon, at: [x, y] }) =>
+      svg_element('text', { x: x.toFixed(3), y: (-y).toFixed(3), dy: '.05' }, polygon.letter)));
   }
   // Letters over all else, the nearest first, each pushed away from the middle until it is clear of those before. One
   // that would stand beside the same letter is left out.

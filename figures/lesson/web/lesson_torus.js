@@ -10,7 +10,8 @@ function put_torus(figure, pieces) {
   const shifts = pieces.map(({ points }) => scaled(placed(scaled(points.reduce(add), 1 / points.length)), kApart));
   const polygons = pieces.flatMap(({ points, surface, ends }, n) => {
     const at = points.map(placed), shift = shifts[n];
-    return [...surface.map((polygon) => ({ points: polygon.map((v) => at[v]), front: 'outer', back: 'inner', lit: true, shift })),
+    const side = { front: 'outer', back: 'inner', lit: true, shift };
+    return [...surface.map((polygon) => ({ points: polygon.map((v) => at[v]), ...side })),
             ...ends.map((end) => ({ points: end.map((v) => at[v]), line: 'end', lift: 0.04, shift }))];
   });
   let shows_mesh = false;
@@ -46,7 +47,8 @@ function put_torus(figure, pieces) {
     draw();
   });
   mesh.setAttribute('aria-pressed', false);
-  figure.querySelector('img').after(element('div', { class: 'torus' }, svg, element('div', { class: 'controls' }, control, mesh)));
+  const controls = element('div', { class: 'controls' }, control, mesh);
+  figure.querySelector('img').after(element('div', { class: 'torus' }, svg, controls));
   // It opens once, unless the reader wants no motion or is faster.
   const begun = performance.now(), kPause = 600, kLength = 1600;
   let coming = 0;

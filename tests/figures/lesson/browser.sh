@@ -109,7 +109,7 @@ window.addEventListener('load', () => {
   press('insertion', 'Back');
   check('an insertion is taken back', status('insertion').includes('1 point inserted'));
   check('what asks for sites is gone with the fault', ![...figure('mesh').querySelectorAll('button')]
-    .some((b) => b.textContent === 'Insert until it holds' && b.offsetWidth > 0));
+    .some((b) => b.textContent === 'Certify' && b.offsetWidth > 0));
   move('mesh', 'Rounds', 3);
   check('the mesh after three insertions', status('mesh').includes('14 edges') && marked('mesh').startsWith('while'));
   move('mesh', 'Rounds', 19);
