@@ -13,7 +13,9 @@
 // of it.
 //
 // What the parts are called:
-
+//   VoxelTree tree(volume);                       exercise 4
+//   paper::Sigma sigma(tree, kappa, options.solver)
+//                                                 and g, as sigma.volume() and sigma.kappa()
 //   sigma.intersect(segment, counters)            all hits on a segment, in order; valid until the
 //                                                 next call. `SearchCounters counters;` counts,
 //                                                 and need not be read
@@ -27,8 +29,10 @@
 //   clip(origin, direction, range, box)           the piece of a line's range in the box
 //                                                 (base/box3.h); volume.box()
 //   measure(a, b, c, x)                           r, h and l of a facet (base/triangle.h)
-//   classify_star, Disk                           exercise 9; exercise 13, with link() and
-//                                                 link_cone() (mesh/star.h, mesh/disk.h)
+//   classify_star(VertexId(q.number()), star)     exercise 9 (mesh/star.h), of facets
+//                                                 as_mesh_triangle(sites)
+//   Disk                                          E and D, with link() and link_cone()
+//                                                 (mesh/disk.h)
 //   make_tri_mesh(points, triangles)              a mesh with neighbors; neighbor_at_edge_to
 //                                                 (mesh/tri_mesh.h)
 //   Random random(seed)                           random.uniform(lo, hi) (base/random.h)
@@ -47,8 +51,8 @@
 //
 // Recover. Sweep over all facets, or all sites, and again until a sweep inserts nothing. While you
 // sweep, facets go: ask the map first. Two rules make it end where the paper's would not:
-//   - two successive hits of one Voronoi edge nearer than Options::kClosest r_min cancel each
-//     other;
+//   - two successive hits of one Voronoi edge cancel each other if they are nearer than
+//     paper::Options::kClosest r_min;
 //   - a point in the ball whose diameter is an edge of the boundary curves is not inserted.
 // (The house splits that edge. Without this some of them are no edges of your mesh. The tests
 // forgive that.) r_min is options.r_min times the smallest side of the box. Sites on the boundary

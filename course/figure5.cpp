@@ -27,7 +27,8 @@
 //   insert(sigma, x)       inserts x, a hit of sigma. False if it refuses: x is a vertex already,
 //                          or beside a boundary curve that cannot be split;
 //   queue(q)               puts q into vertices_, if it is not there;
-//   insert_without_hit(q)  for a q whose D_q is a disk or empty: looks for surface beside it.
+//   insert_without_hit(q)  looks for surface beside q. Call it in ExtractManifold for a q whose
+//                          D_q is a disk or empty; nothing else is to be done there.
 // All hits of a facet are as far from one corner as from the others; take corner 0 of
 // facet_vertices. Where a hit is inserted for q, put q in the queue again: its D_q can still be no
 // disk.

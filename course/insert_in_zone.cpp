@@ -27,6 +27,9 @@
 //  6. Give the zone's cells back: vertices[0] = kNoId marks a cell as free, and its id goes to the
 //     end of free_. last_created_ is created.back(), where the next walk may begin. Return v.
 //
+// The header also has link_by_table and link_by_sorting, the house's way to do 5.
+// They are taken out, too.
+//
 // `zone` may be the house's own scratch: read from it alone.
 //
 // Hint: for 5, a std::map from the edge's two vertices, the lower first, to the link that waits

@@ -47,8 +47,8 @@ double kappa_of(const Field& field) {
   return geometric_isovalue(field.volume.type(), field.isovalue);
 }
 
-TriMesh run_of(const Field& field, std::uint64_t seed, bool stop_after_recover) {
-  paper::Options options;
+TriMesh run_of(const Field& field, std::uint64_t seed, bool stop_after_recover,
+               paper::Options options = {}) {
   options.seed = seed;
   options.stop_after_recover = stop_after_recover;
   return course::figure4(field.volume, kappa_of(field), options);
@@ -129,6 +129,21 @@ TEST_CASE(
         CHECK(worst_of(surface, at(0), at(1), at(2), 0.2) <= 1 + 1e-9);
       }
     }
+  }
+}
+
+TEST_CASE("few points, and no criteria: ExtractManifold leaves disks") {
+  paper::Options options;
+  options.epsilon = options.lambda = 1e9;
+  options.lines = 10;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    CAPTURE(seed);
+    const Field field = builtin("linked_tori", 24);
+    const TriMesh mesh = run_of(field, seed, true, options);
+    REQUIRE(mesh.faces.size() > 0);
+    CHECK(check_mesh(mesh) == "");
+    CHECK(mesh_topology(mesh).boundary_edges == 0);
+    CHECK(searched_facets(field, mesh).size() == mesh.faces.size());
   }
 }
 
