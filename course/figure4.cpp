@@ -70,9 +70,9 @@
 // / 4; and where p lies in the ball of a boundary edge, as above.
 //
 // The tests: Stage 1 alone must be Del S|Sigma of its vertices, with one hit to a facet, and the
-// criteria; both must have the exact topology, and face outwards; the whole must have as many
-// vertices as the published program, within 10 %, and empty balls. Begin with Stage 1: its case
-// comes first.
+// criteria; with few lines and no criteria it must still end in disks. All must have the exact
+// topology, and face outwards. The whole must have as many vertices as the published program,
+// within 10 %, and empty balls. Begin with Stage 1: its cases come first.
 #include "course/figure4.h"
 
 #include <stdexcept>

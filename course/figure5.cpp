@@ -33,10 +33,10 @@
 // facet_vertices. Where a hit is inserted for q, put q in the queue again: its D_q can still be no
 // disk.
 //
-// In ApproximateGeom take the hit nearest to corner 0. measure(a, b, c, x) (base/triangle.h) has r,
-// h and l, report_.r_min is r_min, and violation(m, epsilon, pole, options_) (paper/restricted.h)
-// tells in `value` how many times the worst of them is over its limit, and in `reason` which.
-// `pole` is the pole height: pole(v) of the corners v if the function `pole` is not empty, else
+// In ApproximateGeom take the hit nearest to corner 0. measure(a, b, c, x) (base/triangle.h) has
+// r, h and l. report_.r_min is r_min. violation(m, epsilon, pole, options_) (paper/restricted.h)
+// tells in `value` how many times the worst of them is over its limit, and in `reason` which. Its
+// `pole` is a pole height: pole(v) of the corners v if the function `pole` is not empty, else
 // kNoLimit.
 //
 // The tests look at each question before it is answered. Before you insert x, say so:

@@ -17,11 +17,11 @@
 //   middle = box.lo[axis] + (box.hi[axis] - box.lo[axis]) / 2.
 //
 // The line (isosurface/lattice_line.h). line.at_plane(axis, middle) is the t at which it crosses
-// that plane; it may be infinite. line.ahead(axis) is 1 if it goes up that axis, else 0. So the
-// child that comes first is the lower one if it is 1. With the piece t0 < t1 of the line in the
-// node and t at the plane: if t <= t0 all of the piece is in the second child, if t >= t1 all of it
-// is in the first, else the piece is cut at t. No epsilon: every voxel's own piece is computed from
-// the same planes by the same formula, so the comparisons agree to the last bit.
+// that plane; it may be infinite. line.ahead(axis) is 1 if the line goes up that axis, and then
+// the lower child comes first; else it is 0. Let t0 < t1 be the piece of the line in the node. If
+// t <= t0, all of it is in the second child. If t >= t1, all of it is in the first. Else it is cut
+// at t. No epsilon: every voxel's own piece is computed from the same planes by the same formula,
+// so the comparisons agree to the last bit.
 //
 // In a leaf walk from voxel to voxel:
 //   for (VoxelWalk walk(line, line.voxel_after(t0, box), {t0, t1}); !walk.done(); walk.step())

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Exercise 3, four hours: a point enters the Delaunay triangulation.
 //
-// Bowyer and Watson, 1981: to insert p, take away the cells whose spheres hold p, and join p to the
-// boundary of the hole. Exercise 2 decides which cells these are. The house has walked to p and
-// gathered them: `zone.cells`, and `zone.boundary`, the facets (c, i) of zone cells whose other
-// cell stays. Every space between is star-shaped around p, so each boundary facet makes one new
-// cell, and nothing can overlap. What is left is to make these cells and to link them.
+// Bowyer and Watson, 1981: to insert p, take away the cells whose spheres hold p, and join p to
+// the boundary of the hole. Exercise 2 decides which cells these are. The house has walked to p
+// and gathered them: `zone.cells`. `zone.boundary` are the facets (c, i) of zone cells whose other
+// cell stays. The hole is star-shaped around p. So each boundary facet makes one new cell, and
+// nothing overlaps. Your task is to make these cells and to link them.
 //
 // The data (delaunay/triangulation.h). A cell has four vertices and four links. links[i] is the
 // facet opposite vertex i as the neighbor sees it, a cell and an index in one word: `link({cell,
@@ -28,7 +28,7 @@
 //     end of free_. last_created_ is created.back(), where the next walk may begin. Return v.
 //
 // The header also has link_by_table and link_by_sorting, the house's way to do 5.
-// They are taken out, too.
+// They have no body here.
 //
 // `zone` may be the house's own scratch: read from it alone.
 //

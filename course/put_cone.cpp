@@ -2,9 +2,9 @@
 // Exercise 13, three hours: a point enters the mesh without tetrahedra.
 //
 // Figure 3, on the right (§2.2.2). Stage 2 has a mesh alone. A new point p of Sigma takes away E,
-// the facets whose balls hold p (exercise 12), and D comes in its place: p joined to each edge of
-// E's boundary. E is a disk, and the house has made sure that it is one, without vertices inside.
-// It is exercise 3 once more, a dimension lower.
+// the facets whose balls hold p (exercise 12). D comes in its place: p joined to each edge of E's
+// boundary. The house has made sure that E is a disk without vertices inside. It is exercise 3
+// once more, a dimension lower.
 //
 // You are in the class Refinement (paper/refine.cpp, above). The members:
 //   mesh_   the mesh (mesh/tri_mesh.h): points, and faces, each with corners v, counter-clockwise,
@@ -17,7 +17,7 @@
 //           neighbor across it is mesh_.faces[e_[facet]].n[side];
 //   d_      D, the numbers of its facets: yours to set;
 //   queue_  facets to be tested against the criteria.
-// Corners, neighbors and duals are in vectors: what is added moves them.
+// Corners, neighbors and duals are in vectors: a new entry moves the others.
 //
 //  1. p becomes the last vertex, v. Its pole height is the mean of those of the vertices of E's
 //     boundary.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The last exercise of the course: Stage 1 against every Voronoi edge of its vertices, Stage 2
-// against the exact contour, the balls of its facets, and the sizes of the published program's
-// meshes.
+// The last exercise of the course. Stage 1 is held against every Voronoi edge of its vertices,
+// Stage 2 against the exact contour, the balls of its facets, and the sizes of published meshes.
 #include "course/figure4.h"
 
 #include <doctest/doctest.h>
