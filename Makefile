@@ -88,6 +88,7 @@ room: doctest
 CONFIGURE_COURSE = $(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=ON -DDELISO_COURSE='$(abspath $(COURSE))' >/dev/null
 course: doctest
 	@$(CONFIGURE_COURSE)
+	@cmake --build $(BUILD) -j $(JOBS) --target deliso test_main
 	@cmake --build $(BUILD) -j $(JOBS) --target course
 grade: doctest
 	@$(CONFIGURE_COURSE)
