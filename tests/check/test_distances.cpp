@@ -56,8 +56,8 @@ TEST_CASE("the distances of a mesh are those of each triangle by itself") {
   }
 }
 
-// Of a mesh that VTK had decimated, vertices a thousandth of a voxel outside the box were said to be
-// two voxels off the surface, which they were .06 away from.
+// Of a mesh that VTK had decimated, vertices a thousandth of a voxel outside the box were said to
+// be two voxels off the surface, which they were .06 away from.
 TEST_CASE("a vertex a little outside the box is as far from the surface as the point beside it") {
   std::size_t tried = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
