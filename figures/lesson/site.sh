@@ -41,5 +41,7 @@ if [ -f "$web/deliso.wasm" ]; then
     s|script-src 'unsafe-inline'|script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'|" \
     "$out/index.html" >"$out/page"
   mv "$out/page" "$out/index.html"
+else
+  echo 'The site is without the program in the browser, which make web builds.' >&2
 fi
 touch "$out/.nojekyll"

@@ -36,6 +36,7 @@ inline constexpr std::string_view kCodes[] = {
     "count-missed",
     "field-differs",
     "files-passed-over",
+    "files-unreadable",
     "first-of-several",
     "gray-image",
     "inverted-gray",
