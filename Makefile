@@ -6,7 +6,7 @@
 # for `make mutants`: ROOM (a folder of tests/, or some); for `make switches`: ONLY (some of them);
 # for `make course` and `make grade`: COURSE (the folder of the files), EXERCISE (one of them);
 # for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets`,
-# `make tables`, `make quality`, `make switches` and `make figures`: DATA (folder of volumes); for `make quality`:
+# `make tables`, `make quality`, `make switches`, `make gauntlet` and `make figures`: DATA (folder of volumes); for `make quality`:
 # AGAINST (another deliso program, or runs that were kept, .tsv), TURNS, QUALITY (further options); for
 # `make gauntlet`: PYTHON (one with NumPy), GAUNTLET (options, e.g. "--count 100 --only PyMCubes"); for
 # `make site`: SITE (folder), REPOSITORY (its address, which the page's links lead to), DELISO (a program that is
@@ -90,6 +90,7 @@ room: doctest
 CONFIGURE_COURSE = $(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=ON -DDELISO_COURSE='$(abspath $(COURSE))' >/dev/null
 course: doctest
 	@$(CONFIGURE_COURSE)
+	@cmake --build $(BUILD) -j $(JOBS) --target deliso test_main
 	@cmake --build $(BUILD) -j $(JOBS) --target course
 grade: doctest
 	@$(CONFIGURE_COURSE)
@@ -111,13 +112,14 @@ figures:
 pages:
 	@sh tests/docs/code.sh write $$(grep -l '^<!-- code: ' docs/*.md docs/guide/*.md)
 
-# A folder that any static host serves: the page docs/index.html with its drawings, two traces and a view.
+# A folder that any static host serves: the page docs/index.html with its drawings, two traces and a view, and
+# the program in the browser where `make web` has built it.
 site:
 ifndef DELISO
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=OFF >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app
 endif
-	@sh figures/lesson/site.sh '$(SITE)' '$(or $(DELISO),$(BUILD)/deliso)' '$(REPOSITORY)'
+	@WEB='$(WEB)' sh figures/lesson/site.sh '$(SITE)' '$(or $(DELISO),$(BUILD)/deliso)' '$(REPOSITORY)'
 
 # The program as WebAssembly, and its page for a browser, into WEB; the package for npm beside them.
 .PHONY: web npm
@@ -155,13 +157,14 @@ quality:
 	@$(BUILD)/bench/quality --program $(BUILD)/deliso $(if $(AGAINST),--against '$(AGAINST)') \
 	  --data '$(DATA)' --turns $(TURNS) --runs $(BUILD)/quality.tsv --markdown $(QUALITY)
 
-# The meshers that are installed (bench/gauntlet/tools.py), on 1,000 random small volumes, scored by
-# `deliso check`. Into BUILD/gauntlet go the scores, and the smallest failure of each kind.
+# The meshers that are installed (bench/gauntlet/tools.py), on 1,000 random small volumes and on crops of
+# the volumes in DATA, scored by `deliso check`, and by CGAL where it is there. Into BUILD/gauntlet go the scores, and the smallest failure of each kind.
 .PHONY: gauntlet
 gauntlet:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app gauntlet
-	@$(PYTHON) -B bench/gauntlet/gauntlet.py $(BUILD) $(BUILD)/gauntlet --jobs $(JOBS) $(GAUNTLET)
+	@$(PYTHON) -B bench/gauntlet/gauntlet.py $(BUILD) $(BUILD)/gauntlet --jobs $(JOBS) \
+	  $(if $(wildcard $(DATA)/.),--data '$(DATA)') $(GAUNTLET)
 
 # docs/guide/options.md, from the program's own table.
 .PHONY: options

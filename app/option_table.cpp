@@ -199,7 +199,7 @@ constexpr OptionSpec kInputAndOutput[] = {
        l.field.smooth = parse_length(o, v, Length::Unit::world, true);
      }},
     {"--label", 0, "L[,L...]|all", kVolume,
-     "the surface around these labels of a segmentation, or segments that a .seg.nrrd names, "
+     "the surface around these labels of a segmentation, or segments that the file names, "
      "smoothed by --smooth (default 1vox), in place of --iso; all, of mesh alone: a mesh for each "
      "label but 0, with %d in FILE's name, or in one .glb, .3mf or .vtp",
      [](Line& l, Text o, Text v) {

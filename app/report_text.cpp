@@ -231,12 +231,13 @@ std::string report_text(const MeshRun& run) {
                   single ? "; " : ", so far from the origin: ",
                   single ? kKeepDoubles : "give --origin 0,0,0", "\n");
   }
-  if (run.found.triangles > 0) {
+  const double largest_angle = run.found.quality.max_angle;  // 0 if all triangles are caps
+  if (largest_angle > 0) {
     const double lambda = options.limits[Criterion::r_over_l].value;
     lines += quality_text(run.found.quality, lambda, report.r_min, verbose);
   }
   const bool refined = !options.stop_after_stage1 && !run.line.paper;
-  if (run.found.triangles > 0 && refined) {
+  if (largest_angle > 0 && refined) {
     lines += distance_text(options, report, run.input.grid().voxel(), verbose);
   }
   if (run.verification) lines += verification_text(*run.verification, run.input.grid());

@@ -25,6 +25,7 @@
 #include "view/render/color_map.h"
 #include "view/render/font.h"
 #include "view/render/render.h"
+#include "view/render/scale_bar.h"
 #include "view/render/write_png.h"
 #include "view/render/write_svg.h"
 
@@ -156,9 +157,12 @@ std::string draw(std::span<const TriMesh> meshes, std::span<const MeshNotes> not
   }
   Image image;
   try {
+    const Layout layout = layout_of(options, subjects.size());
+    if (options.axes && !has_room_for_axes(layout)) {
+      add_warning(told, "option-ignored", "", "--axes has no room in so small a picture");
+    }
     if (!options.view) {
-      options.view =
-          best_view(subjects, layout_of(options, subjects.size()).panel, picture.up.value_or(Up{}));
+      options.view = best_view(subjects, layout.panel, picture.up.value_or(Up{}));
     }
     options.view->up = picture.up.value_or(Up{});
     image = render(subjects, options);

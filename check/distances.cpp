@@ -236,19 +236,26 @@ BoundaryDistances boundary_distances(const CleanMesh& mesh, const Isosurface& su
 double distance_off_surface(const Vec3& p, const Isosurface& surface, double tolerance,
                             double limit) {
   const Volume& volume = surface.volume();
-  const Corners corners = volume.corners(volume.voxel_at(p));
+  // Lines from a point outside may pass the box by, however near it is.
+  const Box3 box = volume.box();
+  Vec3 inside;
+  for (int axis = 0; axis < 3; ++axis) {
+    inside[axis] = std::clamp(p[axis], box.lo[axis], box.hi[axis]);
+  }
+  const double outside = distance(p, inside);
+  const Corners corners = volume.corners(volume.voxel_at(inside));
   const auto [least, most] = std::minmax_element(corners.begin(), corners.end());
-  const double difference = std::fabs(volume.value(p) - surface.kappa());
-  const Vec3 gradient = surface.gradient(p);
-  if (volume.box().contains(p) &&
+  const double difference = std::fabs(volume.value(inside) - surface.kappa());
+  const Vec3 gradient = surface.gradient(inside);
+  if (outside == 0 &&
       (difference <= 1e-9 * (*most - *least) || difference <= tolerance * length(gradient))) {
     return 0;
   }
   SearchCounters counters;
-  const PatchAt patch(surface, p);
+  const PatchAt patch(surface, inside);
   double d = limit;
   for (const Vec3& direction : {gradient, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-    d = std::min(d, std::fabs(patch.parameter_along(direction, d, counters)));
+    d = std::min(d, outside + std::fabs(patch.parameter_along(direction, d, counters)));
   }
   return d <= tolerance ? 0 : d;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exercise 3, an hour: which two corners does a face join?
+// Exercise 8, an hour: which two corners does a face join?
 //
 // The exact contour meets the face of a voxel in two segments where its corners alternate: inside,
 // outside, inside, outside. Either the two inside corners are joined or the two outside ones. On
@@ -18,5 +18,5 @@
 //
 // Hint: the corners of either diagonal may be inside. What is then the sign of the denominator?
 bool inside_corners_joined(int mask, const VoxelValues& v, int f) {
-  throw std::logic_error("exercise 3: your work");
+  throw std::logic_error("exercise 8: your work");
 }

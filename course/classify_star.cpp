@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exercise 1, an hour: is the surface a surface at this vertex?
+// Exercise 9, an hour: is the surface a surface at this vertex?
 //
 // Stage 1 ends only when the facets around every vertex form a disk: the test Disk() of the paper,
 // §3.1. On the box they may form half a disk (§5). Each triangle at q has one edge opposite q;
@@ -18,5 +18,5 @@
 //
 // Hint: a connected graph with as many vertices as edges has one cycle. When is it nothing else?
 Star classify_star(VertexId q, std::span<const Triangle> triangles) {
-  throw std::logic_error("exercise 1: your work");
+  throw std::logic_error("exercise 9: your work");
 }

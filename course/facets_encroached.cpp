@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exercise 4, an hour: which facets does a new point replace?
+// Exercise 12, an hour: which facets does a new point replace?
 //
 // Stage 2 has no tetrahedra. To insert a point p of the surface it takes away E, the facets whose
 // surface balls hold p, and puts the cone from p over E's boundary in their place (§2.2.2, Figure
@@ -12,5 +12,5 @@
 // Hint: a list that grows while you go through it needs no recursion.
 void facets_encroached(const SurfaceMesh& s, FaceId start, const Vec3& p,
                        std::vector<FaceId>& facets) {
-  throw std::logic_error("exercise 4: your work");
+  throw std::logic_error("exercise 12: your work");
 }

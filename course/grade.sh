@@ -3,7 +3,8 @@
 # Builds and runs the exercises, and prints a table: how many of the project's test cases pass. Of one
 # exercise alone it shows what the compiler and the test say, too. A program has 10 s of processor time
 # and 60 s of the clock (DELISO_GRADE_SECONDS), and nothing to read. What it prints is shown, but the
-# score is read from the file that the tests write. With DELISO_GRADE_BUILT=1 nothing is built.
+# score is read from the file that the tests write. With DELISO_GRADE_BUILT=1 nothing is built; with
+# DELISO_GRADE_ABORT=1 the first wrong line ends a program.
 # Exit status 1 unless all pass. Usage: grade.sh BUILD [EXERCISE]
 set -u
 build=$1
@@ -38,7 +39,7 @@ while IFS=$tab read -r name cases <&3; do
     : >"$report"
     status=0
     (
-      limited "-tc=$cases" "-o=$report" >"$log" 2>&1
+      limited "-tc=$cases" "-o=$report" ${DELISO_GRADE_ABORT:+-aa=1} >"$log" 2>&1
       status=$?
       times >"$work/times"
       exit "$status"

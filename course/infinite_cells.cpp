@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exercise 5, two hours: which cells does a point outside the hull destroy?
+// Exercise 2, two hours: which cells does a point outside the hull destroy?
 //
 // A cell of a Delaunay triangulation is in conflict with p if p is strictly inside its sphere; the
 // insertion of p replaces just these cells (§2.2.1; Bowyer 1981, Watson 1981). Outside the convex
@@ -18,5 +18,5 @@
 bool Triangulation::is_in_conflict(CellId c, const Vec3& p) const {
   const std::array<const Vec3*, 4> v = corners(c);
   if (!is_infinite(c)) return insphere(*v[0], *v[1], *v[2], *v[3], p) > 0;
-  throw std::logic_error("exercise 5: your work");
+  throw std::logic_error("exercise 2: your work");
 }

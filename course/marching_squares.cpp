@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exercise 2, two hours: where does the surface leave the box?
+// Exercise 7, two hours: where does the surface leave the box?
 //
 // On the six faces of its box a volume is a picture, and the surface ends there in curves (§5).
 // Find them by Marching Squares. Let g be the sample less kappa; a sample is inside if g >= 0. An
@@ -17,5 +17,5 @@
 //
 // Hint: number the points in a std::map, by the two samples of their edge.
 BoundaryCurves marching_squares(const Volume& volume, double kappa) {
-  throw std::logic_error("exercise 2: your work");
+  throw std::logic_error("exercise 7: your work");
 }

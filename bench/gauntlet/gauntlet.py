@@ -3,12 +3,14 @@
 """Meshes random small volumes by every tool that is there (tools.py), and scores each by `deliso check`.
 
   gauntlet.py BUILD OUT [--count N] [--first-seed S] [--jobs J] [--only NAME,...] [--tools FILE]
-              [--page PAGE]
+              [--data FOLDER] [--page PAGE]
 
-BUILD has deliso and bench/gauntlet_volumes. Prints two tables in Markdown, which go between the two
-comments of the gauntlet in PAGE too. OUT gets scores.tsv, a line for each mesh, and in failures/ for
-each tool and kind of fault the smallest volume, the mesh, and in list.txt the command that shows it.
-A tool may take 10 processor seconds for a volume.
+BUILD has deliso and bench/gauntlet_volumes. If it has bench/gauntlet_judge, too, this second judge,
+which shares nothing with `deliso check` but the readers, scores each mesh by its indices. With FOLDER
+there are crops of the paper's volumes, of the kind `real`. Prints the tables in Markdown, which go
+between the two comments of the gauntlet in PAGE too. OUT gets scores.tsv, a line for each mesh, and in
+failures/ for each tool and kind of fault the smallest volume, the mesh, and in list.txt the command that
+shows it. A tool may take 10 processor seconds for a volume.
 """
 import argparse
 import collections
@@ -36,6 +38,8 @@ NOT_MANIFOLD = {"non-manifold edges", "non-manifold vertices", "orientation", "d
 # Faults of others are no failures here: a file of another program states no limits.
 FAILURES = TOPOLOGY | NOT_MANIFOLD | {"holes", "self-intersections", "turned components",
                                       "duplicate vertices", "degenerate triangles", "no mesh"}
+
+BY_INDEX = ["index exact", "index manifold", "index closed", "index meeting itself"]
 
 Volume = collections.namedtuple("Volume", "seed kind isovalue closed path samples spacing")
 
@@ -108,10 +112,28 @@ def check_command(deliso, mesh, volume):
     return [str(deliso), "check", str(mesh), str(volume.path), "--iso", repr(volume.isovalue)]
 
 
-def score(found, seconds):
+def judge(program, volume, mesh):
+    """Returns what the second judge counts (judge.cpp), nothing if there is none or no mesh."""
+    if not program.exists() or not mesh.exists():
+        return None
+    done = subprocess.run([program, mesh, volume.path], capture_output=True, text=True)
+    return [int(word) for word in done.stdout.split()] if done.returncode == 0 else None
+
+
+def score_by_index(row, counts, exact):
+    """Adds the second judge's scores to the row of one mesh. `exact`: what `deliso check` tells of the
+    isosurface, whose numbers the mesh should have."""
+    manifold, inside, *topology, pairs = counts
+    closed = manifold == 1 and inside == 0
+    same = topology == [exact[key] for key in ("components", "euler", "boundary_loops")]
+    row.update(zip(BY_INDEX, (closed and same, manifold == 1, closed, pairs > 0)))
+
+
+def score(found, counts, seconds):
     """Returns the row of one mesh. `far` are points beyond D, either way (2 D from the surface)."""
     row = {"exact": False, "manifold": False, "closed": False, "pairs": 0, "seconds": seconds,
-           "angle": None, "far": 0, "points": 0, "faults": ["no mesh"]}
+           "angle": None, "far": 0, "points": 0, "faults": ["no mesh"],
+           **dict.fromkeys(BY_INDEX, False)}
     if found is None:
         return row
     faults = {name: fault["count"] for name, fault in found["faults"].items()}
@@ -125,6 +147,8 @@ def score(found, seconds):
         far=sum(way["beyond_bound"] + way["not_found"] for way in ways),
         points=sum(way["points"] + way["not_found"] for way in ways),
         faults=sorted(FAILURES & set(faults)))
+    if counts:
+        score_by_index(row, counts, exact)
     return row
 
 
@@ -138,7 +162,8 @@ def score_all(tool, volumes, mesh_of, options):
 
     def task(volume):
         seconds = run_tool(tool, volume, mesh_of(volume), options.build)
-        return score(check(options.build / "deliso", volume, mesh_of(volume)), seconds)
+        return score(check(options.build / "deliso", volume, mesh_of(volume)),
+                     judge(options.build / "bench/gauntlet_judge", volume, mesh_of(volume)), seconds)
     with multiprocessing.get_context("fork").Pool(options.jobs) as pool:
         return pool.map(run_task, volumes, chunksize=1)
 
@@ -166,32 +191,45 @@ def table(header, rows):
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
-def report(scores, versions, volumes, ties, first_seed):
-    """Returns a sentence and the two tables. `scores` has for each tool the rows by seed."""
+def report(scores, versions, volumes, ties, first_seed, judged):
+    """Returns a sentence and the tables. `scores` has for each tool the rows by seed."""
     kinds = list(dict.fromkeys(volume.kind for volume in volumes))
-    first, second = [], []
+    drawn, crops = ([v for v in volumes if (v.kind == "real") == real] for real in (False, True))
+    first, second, third = [], [], []
     for tool, by_seed in scores.items():
-        rows = list(by_seed.values())
+        of = lambda some: [by_seed[v.seed] for v in some if v.seed in by_seed]
+        rows = of(drawn)
         angles = [row["angle"] for row in rows if row["angle"] is not None]
-        of = lambda wanted: [by_seed[v.seed] for v in volumes if v.seed in by_seed and wanted(v)]
         far, points = (sum(row[key] for row in rows) for key in ("far", "points"))
         first.append([f"{tool} {versions[tool]}", str(len(rows)), share(rows),
-                      share(of(lambda v: v.seed not in ties)), share(rows, lambda r: r["manifold"]),
+                      share(of(v for v in drawn if v.seed not in ties)), share(rows, lambda r: r["manifold"]),
                       share(rows, lambda r: r["closed"]), share(rows, lambda r: r["pairs"] > 0),
                       f"{sum(row['pairs'] for row in rows):,}",
                       f"{statistics.median(angles):.1f}" if angles else "-",
                       f"{100 * far / points:.2f}" if points else "-",
                       f"{sum(row['seconds'] for row in rows):.0f}"])
-        second.append([tool, share(of(lambda v: v.closed))] +
-                      [share(of(lambda v: v.kind == kind)) for kind in kinds])
-    open_surfaces = sum(not v.closed for v in volumes)
-    sentence = (f"{datetime.date.today()}: {len(volumes):,} volumes from seed {first_seed}, "
-                f"{open_surfaces:,} of them with a surface that ends on the box, {len(ties):,} with a tie.")
+        second.append([tool, share(of(v for v in drawn if v.closed))] +
+                      [share(of(v for v in volumes if v.kind == kind)) for kind in kinds])
+        third.append([tool])
+        for some in filter(None, (drawn, crops)):
+            by_index = of(some)
+            third[-1] += [share(by_index, lambda r: r[key]) for key in BY_INDEX] + [
+                f"{sum(r['exact'] and not r['index exact'] for r in by_index)}, "
+                f"{sum(r['index exact'] and not r['exact'] for r in by_index)}"]
+    with_tie = lambda some: f"{sum(v.seed in ties for v in some):,} with a tie."
+    sentence = (f"{datetime.date.today()}: {len(drawn):,} volumes from seed {first_seed}, "
+                f"{sum(not v.closed for v in drawn):,} of them with a surface that ends on the box, "
+                + with_tie(drawn))
+    if crops:
+        sentence += f" {len(crops):,} crops of real volumes, {with_tie(crops)}"
+    columns = [key.removeprefix("index ") + ", %" for key in BY_INDEX] + ["check alone, judge alone"]
     return "\n\n".join([
         sentence,
         table(["tool", "volumes", "exact, %", "without ties, %", "manifold, %", "closed, %", "crossing, %",
                "pairs", "least angle", "far, %", "seconds"], first),
-        table(["exact, %", "closed surfaces"] + kinds, second)])
+        table(["exact, %", "closed surfaces"] + kinds, second)] + (
+            [table(["by index"] + columns + ["real: " + name for name in columns if crops], third)]
+            if judged else []))
 
 
 def put_into(page, text):
@@ -228,6 +266,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--only", type=lambda names: names.split(","))
     parser.add_argument("--tools", type=pathlib.Path, default=here / "tools.py")
+    parser.add_argument("--data")
     parser.add_argument("--page", type=pathlib.Path)
     options = parser.parse_args()
     build, out = options.build, options.out
@@ -235,8 +274,9 @@ def main():
         shutil.rmtree(out / name, ignore_errors=True)
     for name in ("volumes", "meshes"):
         (out / name).mkdir(parents=True)
-    lines = subprocess.run([build / "bench/gauntlet_volumes", str(options.first_seed), str(options.count),
-                            out / "volumes"], check=True, capture_output=True, text=True).stdout
+    command = [build / "bench/gauntlet_volumes", str(options.first_seed), str(options.count),
+               out / "volumes"] + ([options.data] if options.data else [])
+    lines = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     volumes = [read_volume(line, out / "volumes") for line in lines.splitlines()]
     ties = {volume.seed for volume in volumes if has_tie(volume)}
 
@@ -259,7 +299,8 @@ def main():
                     smallest[tool.name, fault] = min(smallest.get((tool.name, fault), place), place,
                                                      key=lambda p: p[0])
     keep_failures(smallest, out / "failures", build / "deliso")
-    text = report(scores, versions, volumes, ties, options.first_seed)
+    text = report(scores, versions, volumes, ties, options.first_seed,
+                  (build / "bench/gauntlet_judge").exists())
     print(text)
     if options.page:
         put_into(options.page, text)

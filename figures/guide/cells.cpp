@@ -92,7 +92,7 @@ std::string shade(bool is_front, double light) {
 // The pieces of a torus, pulled apart: each lies in the cell of its site.
 void draw_torus(const std::string& folder) {
   constexpr double kApart = 0.3;  // how far a piece goes, as a share of its way from the middle
-  std::vector<lesson::Cell> cells = lesson::torus_cells(40);
+  std::vector<lesson::Cell> cells = lesson::torus_cells();
   const auto middle_of = [](const std::vector<lesson::Polygon>& polygons) {
     Vec3 sum;
     double corners = 0;

@@ -152,14 +152,18 @@ Cell make_cell(const char* title, const char* text, const ContourMesh& contour,
 
 }  // namespace
 
-std::vector<Cell> torus_cells(std::size_t count) {
+std::vector<Cell> torus_cells() {
+  constexpr std::size_t kSites = 40;
   const Volume torus = Volume::from_function(
       {{-1.6, -1.6, -0.6}, {1.6, 1.6, 0.6}}, {9, 9, 4},
       [](const Vec3& p) { return 0.45 - std::hypot(std::hypot(p.x, p.y) - 1, p.z); });
   const ContourMesh t = build_contour(torus, geometric_isovalue(torus.type(), 0));
-  const std::vector<Vec3> sites = spread_sites(t, count);
+  const std::vector<Vec3> sites = spread_sites(t, kSites);
   std::vector<Cell> cells;
-  for (std::size_t n = 0; n < count; ++n) cells.push_back(cell_of(t, sites, n));
+  for (std::size_t n = 0; n < kSites; ++n) {
+    cells.push_back(cell_of(t, sites, n));
+    cells.back().site = sites[n];
+  }
   return cells;
 }
 

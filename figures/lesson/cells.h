@@ -17,13 +17,14 @@ struct Cell {
   std::vector<Polygon>
       surface;  // the piece: triangles of T cut by the cell, the outside of T in front
   std::vector<Polygon> ends;  // the edges in which the piece ends, a pair of points each
+  Vec3 site{};                // set in torus_cells()
 };
 
 // A disk, a ring, two pieces, a disk and a ball. All of each lies in the ball around the origin of
 // radius 1.
 std::vector<Cell> example_cells();
 
-// All cells of a torus with so many sites, in place, without titles.
-std::vector<Cell> torus_cells(std::size_t count);
+// The forty cells of a torus, in place, without titles.
+std::vector<Cell> torus_cells();
 
 }  // namespace deliso::lesson

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Writes the lesson: one page that explains the method, with pictures that the reader changes.
 // Usage: lesson PAGE.html   (`make figures` writes docs/index.html)
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -52,6 +53,21 @@ std::string cell(const lesson::Cell& c) {
               "}");
 }
 
+// What of the surface is in a cell, and its ends, by numbers of points.
+std::string piece(const lesson::Cell& c) {
+  std::vector<Vec3> all;
+  const auto number_of = [&](const Vec3& p) {
+    const auto is_here = [&](const Vec3& q) { return distance2(p, q) < 1e-14; };
+    const std::size_t n = std::ranges::find_if(all, is_here) - all.begin();
+    if (n == all.size()) all.push_back(p);
+    return text(n);
+  };
+  const auto numbered = [&](const lesson::Polygon& polygon) { return list_of(polygon, number_of); };
+  const std::string surface = list_of(c.surface, numbered), ends = list_of(c.ends, numbered);
+  return text("\n{\"site\":", point(c.site), ",\"points\":", points(all), ",\"surface\":", surface,
+              ",\"ends\":", ends, "}");
+}
+
 // Both meshes in the unit ball.
 std::string small_surface(lesson::SmallSurface s) {
   for (auto* mesh : {&s.t, &s.k}) {
@@ -71,7 +87,7 @@ std::string lesson_header() {
       ",\"isovalue\":", kIsovalue, ",\"chosen\":[", kSaddleColumn, ",", kSaddleRow, "]",
       ",\"samples\":", list_of(kSamples, [](int value) { return text(value); }),
       ",\"sites\":", list_of(kPlaces, [](const Place& p) { return text("[", p.x, ",", p.y, "]"); }),
-      ",\"cells\":", list_of(example_cells(), cell),
+      ",\"torus\":", list_of(torus_cells(), piece), ",\"cells\":", list_of(example_cells(), cell),
       ",\"broken\":", list_of(small_surfaces(), small_surface), "}");
 }
 

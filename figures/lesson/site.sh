@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Makes the folder OUT that a static host serves: the page with its drawings, and what the program shows of two
-# linked tori in space, two traces and a view. Of these every stop of a trace's tour is there. What the page links of the guide is shown by the code host at
-# REPOSITORY (https://host/owner/name); without one the pages lie in OUT, as text.
-# Usage: site.sh OUT DELISO [REPOSITORY]
+# linked tori in space, two traces and a view. Of these every stop of a trace's tour is there. What the page links of
+# the guide is shown by the code host at REPOSITORY (https://host/owner/name); without one the pages lie in OUT, as text.
+# Where `make web` has made the folder WEB/page, the site has the program for browsers, and the page runs it.
+# Usage: [WEB=FOLDER] site.sh OUT DELISO [REPOSITORY]
 set -eu
 [ $# -ge 2 ] || { echo "usage: $0 OUT DELISO [REPOSITORY]" >&2; exit 2; }
 docs=$(cd "$(dirname "$0")/../../docs" && pwd)
@@ -31,4 +32,16 @@ mkdir -p "$out/guide/figures"
 grep -o 'src="[^"]*"' "$docs/index.html" | cut -d '"' -f 2 | while read -r drawing; do
   cp "$docs/$drawing" "$out/$drawing"
 done
+web=${WEB:-$docs/../build-web}/page
+if [ -f "$web/deliso.wasm" ]; then
+  mkdir -p "$out/browser"
+  cp "$web"/* "$docs/../figures/lesson/site/lesson_program.js" "$out/browser/"
+  sed -E "s|<(li\|div) hidden data-program>|<\\1>|;s|data-program-page=|href=|
+    s|<!-- program -->|<script type=\"module\" src=\"browser/lesson_program.js\"></script>|
+    s|script-src 'unsafe-inline'|script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'|" \
+    "$out/index.html" >"$out/page"
+  mv "$out/page" "$out/index.html"
+else
+  echo 'The site is without the program in the browser, which make web builds.' >&2
+fi
 touch "$out/.nojekyll"

@@ -42,8 +42,9 @@ constexpr std::uint32_t kTransferSyntax = 0x00020010, kDescription = 0x0008103e,
                         kDetectors = 0x00540022, kSlices = 0x00540080, kSharedGroups = 0x52009229,
                         kFrameGroups = 0x52009230, kSegments = 0x00620002,
                         kSegmentNumber = 0x00620004, kSegmentLabel = 0x00620005,
-                        kSegmentOfFrame = 0x0062000b, kPixelData = 0x7fe00010, kItem = 0xfffee000,
-                        kItemEnd = 0xfffee00d, kSequenceEnd = 0xfffee0dd;
+                        kSegmentColor = 0x0062000d, kSegmentOfFrame = 0x0062000b,
+                        kPixelData = 0x7fe00010, kItem = 0xfffee000, kItemEnd = 0xfffee00d,
+                        kSequenceEnd = 0xfffee0dd;
 
 // The sequences of a functional group that hold a plane: Plane Position, Plane Orientation, Pixel
 // Measures, Pixel Value Transformation; and a moment: Frame Content, Temporal Position, MR Echo, MR
@@ -302,6 +303,10 @@ class DicomParser {
     if (element.tag == kSegmentLabel) segment.name = string_at(element);
     if (element.tag == kSegmentNumber && element.length == 2) {
       segment.label = number<std::uint16_t>(at_);
+    }
+    if (element.tag == kSegmentColor && element.length == 6) {
+      segment.color = srgb_of_cielab({number<std::uint16_t>(at_), number<std::uint16_t>(at_ + 2),
+                                      number<std::uint16_t>(at_ + 4)});
     }
   }
 

@@ -103,7 +103,7 @@ void refuse_zarr(const std::string& path) {
   if (has(".zarray") || is_new) fail(path, kZarrArray);
 }
 
-void refuse_folder(const std::string& path) {
+void refuse_folder(const std::string& path, const std::string& also) {
   refuse_zarr(path);
   std::error_code fault;
   // One name does not justify a walk through a folder of many files.
@@ -116,7 +116,8 @@ void refuse_folder(const std::string& path) {
       fail(path, "is a folder of pictures", kByConvert);
   }
   fail(path,
-       "is a folder without slices, of DICOM or TIFF: give the one that holds them, or a file");
+       "is a folder without slices, of DICOM or TIFF: give the one that holds them, or a file",
+       also);
 }
 
 }  // namespace deliso

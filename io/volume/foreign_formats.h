@@ -13,7 +13,7 @@ namespace deliso {
 // Throw an InputError: for a file in an unknown format, and for a folder.
 [[noreturn]] void refuse_file(const Bytes& bytes);
 void refuse_zarr(const std::string& path);  // only if it is Zarr
-[[noreturn]] void refuse_folder(const std::string& path);
+[[noreturn]] void refuse_folder(const std::string& path, const std::string& also = "");
 
 // Throws an InputError, for an image of VTK whose samples are of its cells.
 [[noreturn]] void refuse_cells(const std::string& name, std::string_view reader);

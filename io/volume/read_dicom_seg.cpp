@@ -2,8 +2,9 @@
 // Labels from a DICOM segmentation (PS3.3, A.51 and C.8.20): frames of one segment each, of bits or
 // of shares, or a map of labels. A slice without a frame is 0, or the padding of a map. A sample's
 // label is the number of its segment. Segments that overlap are in several channels, and shares
-// are, each segment its own.
+// are, each segment its own. Segments have colors, in CIELab.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -11,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/text.h"
 #include "io/files/text_scan.h"
 #include "io/volume/dicom_file.h"
@@ -195,6 +197,31 @@ Volume read_dicom_segmentation(const VolumeInput& input, const DicomFile& file) 
       }
     }
   });
+}
+
+// The page names no white. That of sRGB (D65) is the one of dcmqi and DCMTK: their triples come out
+// as the whole numbers that went in, and with ICC's D50 up to 59 off. A color that sRGB does not
+// have is cut off.
+std::array<std::uint8_t, 3> srgb_of_cielab(const std::array<std::uint16_t, 3>& scaled) {
+  constexpr Vec3 kWhite{0.95047, 1, 1.08883};
+  constexpr std::array<Vec3, 3> kRows{{{3.2404542, -1.5371385, -0.4985314},
+                                       {-0.9692660, 1.8760108, 0.0415560},
+                                       {0.0556434, -0.2040259, 1.0572252}}};
+  const auto [l, a, b] = scaled;
+  const double y = (l * 100 / 65535.0 + 16) / 116;
+  const auto share = [](double t) {
+    return t > 6.0 / 29 ? t * t * t : 108.0 / 841 * (t - 4.0 / 29);
+  };
+  const Vec3 xyz{kWhite.x * share(y + (a * 255 / 65535.0 - 128) / 500), kWhite.y * share(y),
+                 kWhite.z * share(y - (b * 255 / 65535.0 - 128) / 200)};
+  std::array<std::uint8_t, 3> color{};
+  for (std::size_t n = 0; n < color.size(); ++n) {
+    const double linear = std::clamp(dot(kRows[n], xyz), 0.0, 1.0), third = cube_root(linear);
+    const double curved =
+        linear <= 0.0031308 ? 12.92 * linear : 1.055 * third * std::sqrt(std::sqrt(third)) - 0.055;
+    color[n] = static_cast<std::uint8_t>(std::lround(255 * curved));
+  }
+  return color;
 }
 
 std::vector<NamedSegment> segments_of_dicom(const Bytes& bytes) {

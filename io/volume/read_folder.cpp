@@ -19,23 +19,25 @@
 namespace deliso {
 namespace {
 
-// Returns the files of a folder, and of its subfolders with a recursive Iterator.
-template <class Iterator>
-std::vector<std::string> files_in(const std::string& folder) {
-  std::vector<std::string> paths;
-  std::error_code fault;
-  // Folders without rights are passed over, but for this one.
-  const std::filesystem::directory_iterator readable(folder, fault);
-  Iterator entry;
-  if (!fault) {
-    entry = Iterator(folder, std::filesystem::directory_options::skip_permission_denied, fault);
+// Returns the files of a folder, and of its subfolders if wanted.
+std::vector<std::string> files_in(const std::string& folder, bool with_subfolders) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> paths, folders{folder};
+  while (!folders.empty()) {
+    const std::string here = std::move(folders.back());
+    folders.pop_back();
+    std::error_code fault, ignored;
+    for (fs::directory_iterator entry(here, fault); !fault && entry != fs::directory_iterator();
+         entry.increment(fault)) {
+      if (entry->is_regular_file(ignored)) {
+        paths.push_back(entry->path().string());
+      } else if (with_subfolders && entry->is_directory(ignored) && !entry->is_symlink(ignored)) {
+        folders.push_back(entry->path().string());
+      }
+    }
+    // A subfolder without rights, or one that vanished meanwhile, is passed over.
+    if (fault && here == folder) fail(folder, "cannot list the folder: ", fault.message());
   }
-  for (; !fault && entry != Iterator(); entry.increment(fault)) {
-    std::error_code ignored;
-    if (entry->is_regular_file(ignored)) paths.push_back(entry->path().string());
-  }
-  if (fault == std::errc::no_such_file_or_directory) fail(folder, "changed while it was listed");
-  if (fault) fail(folder, "cannot list the folder: ", fault.message());
   std::ranges::sort(paths);
   return paths;
 }
@@ -43,13 +45,19 @@ std::vector<std::string> files_in(const std::string& folder) {
 struct Images {
   std::vector<DicomFile> dicom{};
   std::vector<Bytes> tiff{};
-  std::vector<std::string> others{};
+  std::vector<std::string> others{}, unreadable{};
 };
 
 Images images_of(const std::vector<std::string>& paths, bool (*is_dicom)(const Bytes&)) {
   Images images;
   for (const std::string& path : paths) {
-    const Bytes bytes = open_file(path, NamedBy::file);
+    Bytes bytes;
+    try {
+      bytes = open_file(path, NamedBy::file);
+    } catch (const InputError&) {
+      images.unreadable.push_back(path);
+      continue;
+    }
     std::optional<DicomFile> slice;
     if (is_dicom(bytes)) slice = parse_dicom(bytes);
     if (slice) {
@@ -66,27 +74,31 @@ Images images_of(const std::vector<std::string>& paths, bool (*is_dicom)(const B
 }  // namespace
 
 Volume read_folder(const VolumeInput& input) {
-  namespace fs = std::filesystem;
-  auto [dicom, tiff, others] =
-      images_of(files_in<fs::directory_iterator>(input.name()), looks_like_dicom);
-  if (dicom.empty() && tiff.empty()) {
+  const auto first_of = [](const std::vector<std::string>& paths) {
+    const std::size_t more = paths.size() - 1;
+    return text("'", std::filesystem::path(paths[0]).filename().string(), "'",
+                more > 0 ? text(" and ", more, " more") : "");
+  };
+  Images found = images_of(files_in(input.name(), false), looks_like_dicom);
+  const bool has_slices = !found.dicom.empty() || !found.tiff.empty();
+  if (!has_slices) {
     // Files of any kind may be in subfolders, so those without a preamble are not tried.
     refuse_zarr(input.name());
-    Images nested =
-        images_of(files_in<fs::recursive_directory_iterator>(input.name()), has_dicom_preamble);
-    if (nested.dicom.empty()) refuse_folder(input.name());
-    dicom = std::move(nested.dicom);
-    tiff = std::move(nested.tiff);
-    others = std::move(nested.others);
+    found = images_of(files_in(input.name(), true), has_dicom_preamble);
+  }
+  auto& [dicom, tiff, others, unreadable] = found;
+  if (!unreadable.empty()) {
+    if (has_slices) open_file(unreadable[0], NamedBy::file);  // fails: it may be one of them
+    input.warn("files-unreadable", "cannot read ", first_of(unreadable), ": passed over");
+  }
+  if (!has_slices && dicom.empty()) {
+    refuse_folder(input.name(), unreadable.empty() ? "" : "; cannot read " + first_of(unreadable));
   }
   if (!dicom.empty()) {
     for (const Bytes& bytes : tiff) others.push_back(bytes.name);
   }
   if (!others.empty()) {
-    const std::string first = std::filesystem::path(others[0]).filename().string();
-    const std::size_t more = others.size() - 1;
-    input.note("files-passed-over", "passed over '", first,
-               more > 0 ? text("' and ", more, " more") : "'", ": no ",
+    input.note("files-passed-over", "passed over ", first_of(others), ": no ",
                dicom.empty() ? "TIFF" : "DICOM", " images");
   }
   if (dicom.empty()) {

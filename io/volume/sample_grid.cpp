@@ -59,8 +59,8 @@ Grid whole_grid(const SampleGrid& grid) {
     const double own = length(step);
     double s = grid.read.spacing ? (*grid.read.spacing)[axis] : own;
     if (places[axis].size() > 1) s = std::max(median_gap(places[axis]), kSmallestSpacing);
-    if (!(s > 0)) {
-      fail(grid.name, "spacing along ", "xyz"[axis], " is not positive",
+    if (!(s > 0 && std::isfinite(s))) {
+      fail(grid.name, "spacing along ", "xyz"[axis], s > 0 ? " is infinite" : " is not positive",
            grid.is_of_file && !grid.read.spacing ? kGiveSpacing : "");
     }
     spacing[axis] = s;

@@ -3,6 +3,8 @@
 // SampleGrid and finds the data. All throw InputError.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,6 +71,8 @@ Volume read_dicom(const VolumeInput& input);
 // A segmentation; and its segments, none of other files.
 Volume read_dicom_segmentation(const VolumeInput& input, const DicomFile& file);
 std::vector<NamedSegment> segments_of_dicom(const Bytes& bytes);
+// Returns the color of a triple of CIELab in 16 bits each (PS3.3, C.10.7.1.1).
+std::array<std::uint8_t, 3> srgb_of_cielab(const std::array<std::uint16_t, 3>& scaled);
 // One series of these files. `input` has their folder's name.
 Volume read_dicom_series(const VolumeInput& input, std::vector<DicomFile> files);
 

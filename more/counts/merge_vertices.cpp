@@ -74,6 +74,10 @@ constexpr std::size_t kShare = 3;
 // picked few may be possible.
 constexpr std::size_t kLeastShare = 32;
 
+// Free vertices are moved in rounds, the first at this many times the number, and each later one at
+// so many times fewer.
+constexpr double kFirstShare = 2.14, kShareStep = 1.1;
+
 class Merging {
  public:
   explicit Merging(Refinement& refinement)
@@ -291,6 +295,19 @@ std::size_t merge_vertices(Refinement& r, std::size_t vertices, std::size_t tria
   return Merging(r).run(vertices, triangles);
 }
 
+void merge_and_free(Refinement& r, std::size_t vertices, std::size_t triangles, double within) {
+  for (double share = kFirstShare; share > 1; share /= kShareStep) {
+    const auto more = [share](std::size_t count) {
+      const double wanted = share * static_cast<double>(count);
+      return wanted < 1e15 ? static_cast<std::size_t>(wanted) : count;
+    };
+    merge_vertices(r, more(vertices), more(triangles));
+    free_vertices(r, within, 1);
+  }
+  merge_vertices(r, vertices, triangles);
+  free_vertices(r, within);
+}
+
 double furthest_distance(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
                          double resolution) {
   double furthest = 0;
@@ -311,9 +328,12 @@ void merge_to_count(SurfaceMesh& mesh, std::span<const Vec3> samples, const Opti
   Parameters parameters = given.parameters;
   parameters.refinement[Criterion::distance] = kNotAsked;
   Refinement r(mesh, {given.surface, given.curves, parameters, given.report});
-  merge_vertices(r, options.target_vertices, options.target_triangles);
   const double free = options.free_vertices.in(given.surface.volume());
-  if (free > 0) free_vertices(r, free);
+  if (free > 0) {
+    merge_and_free(r, options.target_vertices, options.target_triangles, free);
+  } else {
+    merge_vertices(r, options.target_vertices, options.target_triangles);
+  }
   separate(r, IdArray<VertexId, std::uint8_t>(mesh.mesh.points.size(), 1));
   count_unrefined(mesh, parameters, given.report);
   given.report.max_distance = furthest_distance(mesh.mesh, r.facets(), samples, parameters.voxel);

@@ -30,6 +30,11 @@ namespace deliso {
 std::size_t merge_vertices(Refinement& r, std::size_t vertices,
                            std::size_t triangles = std::numeric_limits<std::size_t>::max());
 
+// The same, and moves vertices by up to `within` off Sigma (more/counts/free_vertices.h). Merges
+// and moves alternate from twice the numbers on: the facets that a merge weighs then lie where they
+// will.
+void merge_and_free(Refinement& r, std::size_t vertices, std::size_t triangles, double within);
+
 // Returns how far the sample is from the mesh that is furthest from it. `resolution`: where the
 // search for a nearest facet begins, about as large as most distances.
 double furthest_distance(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,

@@ -37,6 +37,7 @@ inline constexpr std::string_view kCodes[] = {
     "faces-inwards",
     "field-differs",
     "files-passed-over",
+    "files-unreadable",
     "first-of-several",
     "gray-image",
     "inverted-gray",

@@ -38,6 +38,7 @@ Coarsener::Coarsener(SurfaceMesh& s, const Given& given, double distance, const 
       changed_(mesh_.faces.size(), 0),
       finder_(given.surface),
       searches_(given.report.searches_coarsen),
+      observer_(follower(given.parameters.observer)),
       facet_(mesh_.points.size(), kNoId),
       is_active_(mesh_.points.size(), 0),
       waiting_(mesh_.points.size()) {
@@ -52,6 +53,7 @@ Coarsener::Coarsener(SurfaceMesh& s, const Given& given, double distance, const 
 }
 
 std::vector<std::uint8_t> Coarsener::run() {
+  if (observer_) observer_->coarsening_begins(s_);
   remove_vertices();
   for (int round = 0; round < kRounds; ++round) {
     move_vertices();
@@ -123,9 +125,14 @@ bool Coarsener::keeps_link() const {
 
 void Coarsener::replace_star(VertexId v) {
   deliso::replace_star(mesh_, facet_, ring_, hole_);
-  for (int n = 0; n < hole_.size(); ++n) changed_[ring_.star[n].number()] = 1;
+  note_change(Operation::removal, v, {ring_.star.data(), static_cast<std::size_t>(ring_.facets)});
   facet_[v] = kNoId;
   if (chain_.is_boundary(v)) chain_.remove(v);
+}
+
+void Coarsener::note_change(Operation operation, VertexId v, std::span<const FaceId> facets) {
+  for (const FaceId f : facets) changed_[f.number()] = 1;
+  if (observer_) observer_->coarsened(operation, v, facets);
 }
 
 bool Coarsener::joined(VertexId a, VertexId b) const {
@@ -169,7 +176,7 @@ bool Coarsener::move(VertexId v) {
   waiting_.forget_refusal(v);
   wake(v, v);
   for (int k = 0; k < ring_.size; ++k) wake(ring_.vertex[k], v);
-  for (int k = 0; k < ring_.facets; ++k) changed_[ring_.star[k].number()] = 1;
+  note_change(Operation::move, v, {ring_.star.data(), static_cast<std::size_t>(ring_.facets)});
   return true;
 }
 
@@ -197,7 +204,7 @@ void Coarsener::flip(FaceId f, int i) {
     return;
   }
   deliso::flip(mesh_, facet_, q);
-  changed_[f.number()] = changed_[q.g.number()] = 1;
+  note_change(Operation::flip, kNoId, std::array{f, q.g});
   wake(q.b, q.c);
   wake(q.c, q.b);
 }

@@ -22,6 +22,7 @@
 #include "coarsen/coarsen.h"
 #include "coarsen/waiting_vertices.h"
 #include "mesh/tri_mesh.h"
+#include "run/observer.h"
 #include "surface/facet_test.h"
 #include "surface/given.h"
 #include "surface/hole.h"
@@ -50,6 +51,8 @@ class Coarsener {
   void replace_star(VertexId v);
   bool move(VertexId v);
   void flip(FaceId f, int i);
+  // Marks facets, and tells the observer.
+  void note_change(Operation operation, VertexId v, std::span<const FaceId> facets);
   // Walks around v. False if a facet there is frozen.
   bool walk(VertexId v);
   // True if an edge joins a and b.
@@ -67,6 +70,7 @@ class Coarsener {
   std::vector<std::uint8_t> changed_;
   SurfacePointFinder finder_;
   SearchCounters& searches_;
+  Observer* const observer_;                   // null unless it follows insertions
   IdArray<VertexId, FaceId> facet_;            // one at the vertex; kNoId: none
   IdArray<VertexId, std::uint8_t> is_active_;  // the vertex is in the scope, or near a change
   WaitingVertices waiting_;                    // for a try

@@ -51,6 +51,10 @@ class Observer : public StageObserver {
 
   // Stage 1: T as a mesh, which has no duals yet.
   virtual void contour_ready(const SurfaceMesh&) {}
+  // It is coarsened: from now on, or again from T on where it came to cross itself.
+  virtual void coarsening_begins(const SurfaceMesh&) {}
+  // A vertex was removed or moved, or an edge flipped, which has no vertex. These facets changed.
+  virtual void coarsened(Operation, VertexId, std::span<const FaceId>) {}
   // Stage 2: T is coarsened.
   virtual void mesh_handed_over(const SurfaceMesh&) {}
   // The operation was done, or it was refused and the mesh is unchanged. The question says why it

@@ -132,6 +132,10 @@ for file in solid.ply "solid.ply --float" solid.stl; do
   holds "and check --cap finds no fault" \
     "$deliso" check ${file%% *} builtin:gyroid:24 --cap --restricted 0 -q
 done
+head -c 64 /dev/zero | tr '\0' '\1' >full.raw
+"$deliso" full.raw --dims 4x4x4 --type uint8 --label 1 --cap -o full.ply >report
+holds "a solid of caps alone has no angles of the surface" \
+  [ "$(grep -c '^solid     volume 27;\|^quality\|^distance' report)" -eq 1 ]
 "$deliso" builtin:gyroid:24 -q -o open.ply
 status=0
 "$deliso" check open.ply builtin:gyroid:24 --cap >report || status=$?

@@ -56,6 +56,23 @@ holds 'a hole is a hole' row opened '3 | 0.0 | 0.0 | 100.0 | 0.0 | 0.0 | 0'
 holds 'a crash is no mesh' row crash '3 | 0.0 | 0.0 | 0.0 | 0.0 | 0.0 | 0'
 holds 'what is not there is named' grep -q '^absent: not there$' "$work/err"
 holds 'a failure is kept' cmp -s "$work/out/volumes/7.nrrd" "$work/out/failures/crash-no_mesh.nrrd"
-holds 'the page has the tables' [ "$(grep -c '^| right' "$work/page.md")" -eq 2 ]
+tables=2
+# by_index NAME BEGIN: the same of the second judge, where CGAL is: exact, manifold, closed, meeting
+# itself; meshes that one judge alone calls exact. Rows of one table have other numbers of columns.
+by_index() {
+  grep -q "^| $1 | $2 |$" "$work/told" || { grep "^| $1 " "$work/told"; false; }
+}
+if [ -x "$build/bench/gauntlet_judge" ]; then
+  tables=3
+  holds 'DelIso is right by index' by_index right '100.0 | 100.0 | 100.0 | 0.0 | 0, 0'
+  holds 'missing components are no exact topology by index' by_index largest '0.0 | 100.0 | 100.0 | 0.0 | 0, 0'
+  holds 'crossings meet, and numbers may be right in all' by_index crossed '33.3 | 100.0 | 100.0 | 100.0 | 0, 1'
+  holds 'a fan is no manifold by index' by_index fan '0.0 | 0.0 | 0.0 | 100.0 | 0, 0'
+  holds 'a hole is a hole by index' by_index opened '0.0 | 100.0 | 0.0 | 0.0 | 0, 0'
+  holds 'no mesh is none by index' by_index crash '0.0 | 0.0 | 0.0 | 0.0 | 0, 0'
+else
+  echo 'no CGAL here: the second judge was not tried'
+fi
+holds 'the page has the tables' [ "$(grep -c '^| right' "$work/page.md")" -eq $tables ]
 holds 'and keeps the rest' [ "$(sed -n '1p;$p' "$work/page.md" | tr '\n' ' ')" = 'before after ' ]
-all_hold 11
+all_hold $((tables == 3 ? 17 : 11))

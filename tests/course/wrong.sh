@@ -11,6 +11,8 @@ jobs=${3:-2}
 tab=$(printf '\t')
 folder=$build/course/wrong
 answers=$build/course/answers
+# A wrong answer to the last exercise stands on right ones to the others.
+export DELISO_COURSE_PARTS="$answers" DELISO_GRADE_BUILT=1 DELISO_GRADE_ABORT=1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 grep -v '^#' "$source/course/wrong.tsv" >"$work/all"
@@ -41,7 +43,7 @@ while n=$((n + 1)) && round $n >"$work/round" && [ -s "$work/round" ]; do
   cmake --build "$build" -j "$jobs" --target $(sed "s/$tab.*//;s/^/course_/" "$work/round") >"$work/log" 2>&1 ||
     { cat "$work/log"; fault "round $n does not build"; break; }
   while IFS=$tab read -r name what edit; do
-    DELISO_GRADE_BUILT=1 sh "$source/course/grade.sh" "$build" "$name" </dev/null >"$work/$name" 2>&1 &
+    sh "$source/course/grade.sh" "$build" "$name" </dev/null >"$work/$name" 2>&1 &
   done <"$work/round"
   wait
   while IFS=$tab read -r name what edit; do
@@ -79,7 +81,7 @@ END
 cmake --build "$build" -j "$jobs" --target course_classify_star course_marching_squares >"$work/log" 2>&1 ||
   { cat "$work/log"; fault 'the last two do not build'; }
 status=0
-DELISO_GRADE_BUILT=1 DELISO_GRADE_SECONDS=3 sh "$source/course/grade.sh" "$build" >"$work/table" || status=$?
+DELISO_GRADE_SECONDS=3 sh "$source/course/grade.sh" "$build" >"$work/table" || status=$?
 [ "$status" -eq 1 ] && [ "$(cut -d ' ' -f 1 "$work/table" | grep -cxFf "$work/exercises")" = "$(wc -l <"$work/exercises")" ] ||
   fault "not all exercises were graded: status $status"
 grep -q '^classify_star  *0 of 3 ' "$work/table" || fault 'what an answer prints was believed'
@@ -87,4 +89,4 @@ grep -q '^marching_squares  *waits 3 s ' "$work/table" || fault 'an answer that 
 sed 's/^/  /' "$work/table"
 
 echo "$count wrong answers, $faults faults"
-[ "$count" -ge 20 ] && [ "$faults" -eq 0 ]
+[ "$count" -ge 50 ] && [ "$faults" -eq 0 ]

@@ -38,6 +38,11 @@ double foot_of(const Layout& layout) {
   return layout.captions + layout.panel.height - kMargin * layout.text;
 }
 
+Vec2 origin_of_axes(const Layout& layout) {
+  const double h = layout.text, size = kAxis * h;
+  return {layout.panel.width - size - 2 * kMargin * h, foot_of(layout) - size - kMargin * h};
+}
+
 }  // namespace
 
 double round_length(double length) {
@@ -68,8 +73,7 @@ void draw_scale_bar(Image& image, const Layout& layout, const Camera& camera, st
 void draw_axes(Image& image, const Layout& layout, const Camera& camera,
                const std::array<std::string_view, 3>& names, Rgb ink) {
   const double h = layout.text, size = kAxis * h;
-  const Vec2 origin{layout.panel.width - size - 2 * kMargin * h,
-                    foot_of(layout) - size - kMargin * h};
+  const Vec2 origin = origin_of_axes(layout);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int i = static_cast<int>(axis);
     const Vec2 direction{camera.right[i], -camera.up[i]};
@@ -79,6 +83,11 @@ void draw_axes(Image& image, const Layout& layout, const Camera& camera,
     draw_text(image, names[axis], at.x - 0.5 * text_width(names[axis], h), at.y + 0.5 * h, h, ink,
               strength);
   }
+}
+
+bool has_room_for_axes(const Layout& layout) {
+  const Vec2 origin = origin_of_axes(layout);
+  return std::min(origin.x, origin.y - layout.captions) >= (kAxis + 2 * kName) * layout.text;
 }
 
 }  // namespace deliso

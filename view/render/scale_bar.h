@@ -23,4 +23,7 @@ void draw_scale_bar(Image& image, const Layout& layout, const Camera& camera, st
 void draw_axes(Image& image, const Layout& layout, const Camera& camera,
                const std::array<std::string_view, 3>& names, Rgb ink);
 
+// True if they lie in the panel whatever way they point.
+bool has_room_for_axes(const Layout& layout);
+
 }  // namespace deliso

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sorted_list.h"
 #include "base/triangle.h"
 #include "delaunay/voronoi.h"
 #include "refine/refinement.h"
@@ -19,6 +20,73 @@ void TraceRecorder::contour_ready(const SurfaceMesh& t) {
   target().put_mesh(t.mesh, Routine::contour);
 }
 
+void TraceRecorder::coarsening_begins(const SurfaceMesh& t) {
+  end_coarsening_event();
+  if (!told_.empty()) target().put_mesh(t.mesh, Routine::contour);  // again
+  mesh_ = &t;
+  removals_per_event_ = 1 + t.mesh.points.size() / kMostRemovals;
+  now_.clear();
+  told_.clear();
+  for (const Face& face : t.mesh.faces) {
+    now_.push_back(face.v);
+    told_.push_back(number(face.v));
+  }
+}
+
+Triangle TraceRecorder::number(Triangle t) const {
+  for (VertexId& v : t)
+    v = v == kNoId || target().is_full() ? VertexId(kNoId) : target().of_mesh()[v];
+  return t;
+}
+
+void TraceRecorder::coarsened(Operation operation, VertexId v, std::span<const FaceId> facets) {
+  if (operation != operation_) {
+    end_coarsening_event();
+    operation_ = operation;
+    const auto begin = [&](Routine routine, std::uint8_t reason) {
+      target().asks(trace_code(routine), reason);
+    };
+    if (operation == Operation::removal)
+      begin(Routine::remove_vertices, trace_code(Reason::unneeded));
+    if (operation == Operation::move)
+      begin(Routine::move_vertices, trace_code(PaperReason::off_middle));
+    if (operation == Operation::flip)
+      begin(Routine::flip_edges, trace_code(PaperReason::wide_angles));
+  }
+  for (const FaceId f : facets) {
+    const Face& face = mesh_->mesh.faces[f];
+    now_[f] = is_dead(face) ? Triangle{kNoId, kNoId, kNoId} : face.v;
+    touched_.push_back(f);
+  }
+  if (operation == Operation::move) moved_.emplace_back(v, mesh_->mesh.points[v]);
+  if (operation != Operation::removal) return;
+  TraceEvent& event = target().event();
+  event.place = mesh_->mesh.points[v];
+  if (!target().is_full()) event.caller[0] = target().of_mesh()[v];
+  if (++removals_ == removals_per_event_) end_coarsening_event();
+}
+
+void TraceRecorder::end_coarsening_event() {
+  if (operation_ == Operation::count_) return;
+  if (!target().is_full()) {
+    TraceEvent& event = target().event();
+    for (const auto& [v, place] : moved_) target().of_mesh()[v] = target().add_vertex(place);
+    sort_unique(touched_);
+    for (const FaceId f : touched_) {
+      const Triangle now = number(now_[f]);
+      if (now == told_[f]) continue;
+      if (told_[f][0] != kNoId) event.removed.push_back(told_[f]);
+      if (now[0] != kNoId) event.added.push_back(now);
+      told_[f] = now;
+    }
+  }
+  record(TraceOutcome::done);
+  operation_ = Operation::count_;
+  removals_ = 0;
+  touched_.clear();
+  moved_.clear();
+}
+
 void TraceRecorder::number_mesh(const std::vector<Triangle>& facets, VertexId new_vertex,
                                 std::vector<Triangle>& out) const {
   out.clear();
@@ -29,6 +97,7 @@ void TraceRecorder::number_mesh(const std::vector<Triangle>& facets, VertexId ne
 }
 
 void TraceRecorder::mesh_handed_over(const SurfaceMesh& s) {
+  end_coarsening_event();
   mesh_ = &s;
   mesh_begins(s.mesh, Routine::coarsen, [&s](FaceId f) {
     const Dual& dual = s.duals[f];

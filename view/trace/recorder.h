@@ -4,6 +4,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "run/observer.h"
@@ -27,8 +29,11 @@ class TraceRecorder : public Observer, private Recording {
   bool follows_insertions() const override { return true; }
   void run_begins(const Parameters& parameters, const Report& report) override;
 
-  // Stage 1 is two events, T and what it is coarsened to.
+  // Stage 1: T, how it is coarsened, and the mesh that this leaves. A removal is an event, or
+  // several of a large T; the moves of a sweep are one, and its flips.
   void contour_ready(const SurfaceMesh& t) override;
+  void coarsening_begins(const SurfaceMesh& t) override;
+  void coarsened(Operation operation, VertexId v, std::span<const FaceId> facets) override;
   // Stage 2: every operation with its cavity, the new facets, and the test that refused it. Nothing
   // is recorded after the mesh is finished.
   void mesh_handed_over(const SurfaceMesh& s) override;
@@ -46,8 +51,24 @@ class TraceRecorder : public Observer, private Recording {
   // or the edge that would be too sharp.
   std::optional<Segment> culprit(const Replacement& replacement, Refusal refusal) const;
 
+  // T of more vertices has several removals in an event, so that pages stay small.
+  static constexpr std::size_t kMostRemovals = 8000;
+
+  // Ends the event of coarsening that has begun, if one has.
+  void end_coarsening_event();
+  // A facet of the mesh that is coarsened; kNoId: none.
+  Triangle number(Triangle t) const;
+  using Recording::number;
+
   Observer* also_;
-  const SurfaceMesh* mesh_ = nullptr;  // of Stage 2
+  const SurfaceMesh* mesh_ = nullptr;  // the one that changes
+  // Of coarsening, per facet: its corners, and what they were in the trace after the last event.
+  IdArray<FaceId, Triangle> now_, told_;
+  // Of the event that has begun; count_: none has.
+  Operation operation_ = Operation::count_;
+  std::size_t removals_ = 0, removals_per_event_ = 1;  // so far, and when it ends
+  std::vector<FaceId> touched_;
+  std::vector<std::pair<VertexId, Vec3>> moved_;
 };
 
 }  // namespace deliso

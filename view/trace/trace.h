@@ -40,13 +40,17 @@ enum class Routine : std::uint8_t {
   extract_manifold,
   approximate_geom,
   certify,
-  contour,         // the exact program
+  contour,  // the exact program, and how it coarsens T
+  remove_vertices,
+  move_vertices,
+  flip_edges,
   build_tri_mesh,  // the switch
-  coarsen,         // that of the exact program
+  coarsen,         // that of the exact program: T is coarsened
   count_           // then the operations of Stage 2
 };
 
-// The reasons that the published program alone has; `region` and after it: its certified Stage 1.
+// The reasons that are not of Stage 2: those of the published program, from `region` on of its
+// certified Stage 1, and the last two of coarsening.
 enum class PaperReason : std::uint8_t {
   several_hits,
   no_disk,
@@ -58,6 +62,8 @@ enum class PaperReason : std::uint8_t {
   triple,
   boundary,
   no_area,
+  off_middle,
+  wide_angles,
   count_
 };
 

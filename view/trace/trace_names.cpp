@@ -38,6 +38,18 @@ RoutineName name_of(Routine routine) {
             "the exact contour T: a mesh with the surface's topology, and all of its vertices on "
             "the "
             "surface"}},
+          {Routine::remove_vertices,
+           {"remove_vertices", "", 1,
+            "coarsening: a vertex of T is removed, and its hole filled by facets of the largest "
+            "angles"}},
+          {Routine::move_vertices,
+           {"move_vertices", "", 1,
+            "coarsening: one sweep, in which vertices move to the middles of their stars, and on "
+            "to the surface"}},
+          {Routine::flip_edges,
+           {"flip_edges", "", 1,
+            "coarsening: one sweep, in which edges give way to the other diagonals of their two "
+            "facets"}},
           {Routine::build_tri_mesh,
            {"build_tri_mesh", "4", 2,
             "BuildTriMesh: the switch. The tetrahedra are left behind, a plain mesh of triangles "
@@ -123,6 +135,10 @@ ReasonName name_of(PaperReason reason) {
             "corners of a facet of K lie on one line; value: distance of the vertex inserted from "
             "its "
             "site"}},
+          {PaperReason::off_middle,
+           {"off the middle", "the vertices are not in the middles of their stars"}},
+          {PaperReason::wide_angles,
+           {"wide angles", "the angles across the edges sum to more than 180 degrees"}},
       }};
   static_assert(is_in_order(kNames));
   return row_of(kNames, reason).words;

@@ -119,7 +119,8 @@ function nearest_vertex(contour, place, is_allowed = () => true) {
   return best;
 }
 
-// Marching Cubes on a slice: the edges that its table joins, as pairs of points, and into how many loops.
+// Marching Cubes on a slice: the edges that its table joins, as pairs of points, into how many loops, and which of
+// them T does not have.
 // Of corners that alternate, the inside ones are never joined.
 function marching_cubes_of(contour) {
   const { points, next } = contour;
@@ -139,5 +140,6 @@ function marching_cubes_of(contour) {
     if (!seen.has(v)) ++loops;
     for (let at = v; !seen.has(at); at = after[at]) seen.add(at);
   });
-  return { edges: points.map((p, v) => [p, points[after[v]]]), loops };
+  const edges = points.map((p, v) => [p, points[after[v]]]);
+  return { edges, loops, wrong: edges.filter((_, v) => after[v] !== next[v]) };
 }

@@ -1,101 +1,15 @@
 'use strict';
 // The pictures of the slice: what each draws, tells, and lets the reader do.
-// name: {draw(picture, state), tell(state): lines, controls: names}, and where pseudocode is beside it, line(state):
-// the line that runs next
+// name: {draw(picture, state), legend(state): [shape, class, words] each, tell(state): lines, controls: names, code:
+// the functions that make it}, and where pseudocode is beside it, line(state): the line that runs next. With `zoom` a
+// part of it is shown large beside it: {view(state), draw(picture, state)}. `handles` take the place of sites'.
 
-function draw_body(picture, state) {
-  picture.draw_sides(state.contour);
-  picture.draw_grid();
-}
-
-// A region's edges in one of four styles, so that neighbors differ.
-function region_styles(state) {
-  const styles = [];
-  state.sites.forEach((_, n) => {
-    const taken = state.regions.interfaces.flatMap(({ a, b }) => a === n ? [styles[b]] : b === n ? [styles[a]] : []);
-    const free = [0, 1, 2, 3].filter((style) => !taken.includes(style));
-    styles[n] = free.length > 0 ? free[0] : n % 4;
-  });
-  return styles;
-}
-
-function draw_regions(picture, state) {
-  const { contour, regions } = state, styles = region_styles(state);
-  picture.draw_voronoi(state.sites.map((v) => contour.points[v]));
-  picture.draw_contour(contour, 'contour thin', false);
-  regions.arcs.forEach((arcs, n) => {
-    for (const { vertices, closed } of arcs) {
-      const points = vertices.map((v) => contour.points[v]);
-      picture.polyline(points, `band style${styles[n]}`, closed);
-      for (const p of points) picture.dot(p, `vertex style${styles[n]}`, 0.09 * picture.scale + 1);
-    }
-  });
-  draw_fault(picture, state);
-}
-
-// The vertices at fault in rings, and v, the one that the certificate asks for.
-function draw_fault(picture, state) {
-  const { fault, contour } = state;
-  if (!fault) return;
-  for (const v of fault.stray) picture.dot(contour.points[v], 'stray', 0.2 * picture.scale + 3);
-  if (fault.insert < 0) return;
-  const v = fault.insert, p = contour.points[contour.previous[v]], q = contour.points[contour.next[v]];
-  // Above or below, away from the body; letters of sites stand aside.
-  picture.text(contour.points[v], 'v', 'asked', [0, q[0] > p[0] ? 27 : -16]);
-}
-
-function draw_dual(picture, state) {
-  const { contour, regions, sites, fault } = state;
-  for (const { a, b, from, to } of regions.interfaces) {
-    const is_wrong = fault && (fault.stray.includes(from) || fault.stray.includes(to));
-    const p = contour.points[sites[a]], q = contour.points[sites[b]];
-    // Two edges between the same two sites are bent, each to its right.
-    const is_twin = regions.interfaces.some((other) => other.a === b && other.b === a);
-    const bend = is_twin ? 0.15 : 0, m = between(p, q, 0.5);
-    const aside = [m[0] + bend * (q[1] - p[1]), m[1] - bend * (q[0] - p[0])];
-    picture.polyline([p, aside, q], is_wrong ? 'dual wrong' : 'dual');
-  }
-}
-
-function put_sites(picture, state) {
-  picture.put_sites(state.contour, state.sites, state.sites.map((_, n) => state.name(n)), state.chosen,
-                    state.sites.map((_, n) => state.note(n)));
-}
-
-function tell_fault(state) {
-  const { fault } = state;
-  if (!fault) {
-    const loops = counted(state.contour.loops.length, 'loop', 'loops');
-    return ['The certificate holds: ' + `K is ${loops}, as T is.`];
-  }
-  const name = state.name(Math.min(fault.site, fault.other ?? fault.site)), v = fault.insert;
-  const what = {
-    pieces: `The region of ${name} is in ${state.regions.arcs[fault.site].length} pieces.`,
-    closed: `The region of ${name} is a whole loop.`,
-    interface: `The regions of ${name} and ${state.name(Math.max(fault.site, fault.other))} meet at more than one place.`,
-  }[fault.kind];
-  if (v < 0) return [`${fault.condition} fails. ${what}`, 'All vertices there are sites already.'];
-  const site = state.name(state.regions.site_of[v]);
-  const which = fault.stray.length > 1 ? 'of the ringed vertices the furthest from its site' : 'the ringed vertex';
-  return [`${fault.condition} fails. ${what}`, `Next comes v: ${which}, ${in_voxels(state.regions.far[v])} from ${site}.`];
-}
-
-// Sites that the certificate asks for where it fails: the mesh has them, the pictures above do not.
-function draw_added(picture, state) {
-  for (const v of state.added) picture.dot(state.contour.points[v], 'added', 9);
-}
-function tell_added({ added }) {
-  if (added.length === 0) return [];
-  return [`The certificate fails; here it holds, with ${counted(added.length, 'site', 'sites')} more (dashed).`];
-}
-
-// The worst edge of a mesh: its h.
-const largest_h = (state, loops) => Math.max(...facets_of(state.field, state.kappa, loops).map((f) => f.h));
-
-const in_voxels = (x) => `${x.toFixed(2)} voxels`;
 const kSites = ['add', 'remove', 'again'];
 // Why the last round changed nothing.
 const tell_refused = ({ why }) => why === '' ? [] : [`Refused: ${why}.`];
+const kSigma = ['line', 'sigma', '\u03a3'], kDual = ['line', 'dual', 'the mesh'];
+// The mesh that Stage 2 makes, its vertices and those of Stage 1.
+const kOfStages = [['ring', 'knob', 'a site of Stage 1'], ['dot', 'vertex', 'a surface point of Stage 2']];
 // Edges shorter than this share of a voxel get a ring.
 const kShort = 0.3;
 
@@ -106,18 +20,26 @@ const few_points_refined = (state) =>
 const kPictures = {
   need: {
     controls: ['cubes', 'refined', 'kappa', 'undo', 'again'],
+    code: () => [marching_cubes_of],
+    legend: ({ way }) => [['line', 'sigma dashed', '\u03a3'], ...way === 'cubes'
+      ? [['line', 'contour', 'Marching Cubes'], ['line', 'wrong', 'not as in \u03a3'],
+         ['ring', 'short', `shorter than ${in_voxels(kShort)}`]]
+      : [['line', 'dual', 'ten points, refined'], ['ring', 'stray', 'where it meets itself']]],
     draw(picture, state) {
       draw_body(picture, state);
+      picture.name_sides(state.contour, state.field, state.kappa);
       for (const curve of state.contour.curves) picture.polyline(curve, 'sigma dashed', true);
       if (state.way === 'cubes') {
-        const { edges } = marching_cubes_of(state.contour);
+        const { edges, wrong } = marching_cubes_of(state.contour);
         for (const edge of edges) {
-          picture.polyline(edge, 'contour');
+          picture.polyline(edge, wrong.includes(edge) ? 'wrong' : 'contour');
           picture.dot(edge[0], 'vertex', 0.07 * picture.scale);
         }
         for (const [p, q] of edges) {
           if (distance(p, q) < kShort) picture.dot(between(p, q, 0.5), 'short', 0.3 * picture.scale);
         }
+        const cuts = ['Marching Cubes', 'cuts the neck'];
+        if (wrong.length > 0) picture.point_out(between(...wrong[0], 0.5), cuts, state.contour.curves);
         return;
       }
       for (const loop of few_points_refined(state).loops) {
@@ -127,16 +49,16 @@ const kPictures = {
       if (state.fault) {
         const site = state.contour.points[state.sites[state.fault.site]];
         picture.dot(site, 'stray', 0.3 * picture.scale);
-        picture.text(site, state.name(state.fault.site), 'label', [0, -0.4 * picture.scale]);
+        point_out_fault(picture, state, state.contour.curves);
       }
     },
     tell(state) {
-      const true_loops = `\u03a3 has ${state.contour.loops.length}.`;
+      const true_loops = `\u03a3 has ${counted(state.contour.loops.length, 'loop', 'loops')}.`;
       if (state.way === 'cubes') {
         const { edges, loops } = marching_cubes_of(state.contour), sizes = edges.map((edge) => distance(...edge));
         const short = sizes.filter((size) => size < kShort).length;
         return [`${counted(edges.length, 'edge', 'edges')} in ${counted(loops, 'loop', 'loops')}. ${true_loops}`,
-                `${short} are shorter than ${in_voxels(kShort)}: ringed.`];
+                `${counted(short, 'edge is', 'edges are')} shorter than ${in_voxels(kShort)}: ringed.`];
       }
       const { loops, refused } = few_points_refined(state);
       if (!state.fault) return [`Now the sites are enough: ${counted(loops.length, 'loop', 'loops')}. ${true_loops}`];
@@ -147,10 +69,15 @@ const kPictures = {
   },
   samples: {
     controls: ['kappa', 'sample', 'undo', 'again'],
+    code: () => [Field.prototype.value],
+    legend: () => [['ring', 'sample inside', 'at least \u03ba: inside'],
+                   ['ring', 'sample outside', 'below \u03ba: outside'],
+                   ['square', 'zoomed filled', 'a voxel whose corners alternate']],
     draw(picture, state) {
       picture.draw_sides(null);
       picture.draw_grid();
-      picture.draw_samples(state.field, state.kappa, state.chosen_sample, false);
+      for (const { at } of state.contour.saddles) draw_voxel(picture, at.map(Math.floor), 'zoomed filled');
+      picture.draw_samples(state.field, state.kappa, state.chosen_sample, 0.34);
     },
     tell(state) {
       const inside = state.field.samples.filter((value) => value >= state.kappa).length;
@@ -164,16 +91,21 @@ const kPictures = {
   },
   contour: {
     controls: ['kappa', 'sample', 'undo', 'again'],
+    code: () => [cell_curves],
+    legend: () => [['line', 'contour', 'T'], ['line', 'sigma dashed', '\u03a3'], ['cross', 'cross', 'a saddle'],
+                   ['square', 'zoomed', 'the voxel that is shown large']],
     draw(picture, state) {
       draw_body(picture, state);
+      draw_voxel(picture, state.zoomed);
       for (const curve of state.contour.curves) picture.polyline(curve, 'sigma dashed', true);
       picture.draw_contour(state.contour, 'contour', true);
-      for (const { at } of state.contour.saddles) {
-        const d = 0.16;
-        picture.polyline([[at[0] - d, at[1] - d], [at[0] + d, at[1] + d]], 'cross');
-        picture.polyline([[at[0] - d, at[1] + d], [at[0] + d, at[1] - d]], 'cross');
-      }
-      picture.draw_samples(state.field, state.kappa, state.chosen_sample, true);
+      for (const { at } of state.contour.saddles) picture.cross(at, 0.12 * picture.scale);
+      picture.draw_numbers(state.field, state.chosen_sample, state.contour, state.zoomed);
+      picture.name_sides(state.contour, state.field, state.kappa);
+    },
+    zoom: {
+      view: ({ zoomed: [i, j] }) => ({ x: i - 0.3, y: j - 0.42, width: 1.6, height: 1.75 }),
+      draw: draw_large_voxel,
     },
     tell(state) {
       const { points, loops, saddles } = state.contour;
@@ -184,12 +116,18 @@ const kPictures = {
   },
   sites: {
     controls: ['undo', ...kSites],
+    code: () => [regions_of],
+    legend: ({ regions }) => [
+      ['ring', 'knob', 'a site, a vertex of T'], ['line', 'band style0', 'a region: nearest to one site'],
+      ...regions.arcs.some((arcs) => arcs.length > 1) ? [['line', 'band astray', 'a piece without its site']] : [],
+      ['line', 'voronoi', 'as far from one site as from another']],
     takes_keys: true,
     line: (state) => state.fault ? 'recover' : state.next_facet(state.facets()) ? 'refine' : 'return',
     draw(picture, state) {
       draw_body(picture, state);
       draw_regions(picture, state);
       put_sites(picture, state);
+      point_out_stray(picture, state);
     },
     tell(state) {
       const broken = state.regions.arcs.flatMap((arcs, n) => arcs.length > 1 ? [state.name(n)] : []);
@@ -199,6 +137,9 @@ const kPictures = {
   },
   dual: {
     controls: ['back', 'ask', 'play_sites', ...kSites],
+    code: () => [certificate_of, certify],
+    legend: ({ fault }) => [['line', 'dual', 'K'], ['line', 'contour thin', 'T'], ['ring', 'knob', 'a site'],
+      ...fault ? [['line', 'dual wrong', 'where the certificate fails'], ['ring', 'stray', 'vertices at fault']] : []],
     takes_keys: true,
     line: ({ fault }) => fault?.condition ?? 'return',
     draw(picture, state) {
@@ -207,13 +148,24 @@ const kPictures = {
       draw_dual(picture, state);
       draw_fault(picture, state);
       put_sites(picture, state);
+      point_out_fault(picture, state, [...state.contour.curves, ...edges_of_dual(state)]);
     },
     tell: tell_fault,
   },
   coarsen: {
     controls: ['back_removal', 'remove_vertex', 'play_removals', 'limit'],
+    code: () => [removal_of, coarsening_round],
+    legend: () => [['line', 'dual', 'what is left of T'], ['line', 'contour faint', 'T'], kSigma,
+                   ['line', 'coming', 'the new edge'], ['square', 'bound', 'within D of it'], ['ring', 'ball', 'its ball']],
+    takes_keys: true,
+    // Of p, the vertex that is tried.
+    handles: {
+      select() {},
+      move: (state, n, v) => state.choose_vertex(v),
+      remove: (state) => state.remove_vertex(),
+    },
     line: (state) => state.tried_vertex() < 0 ? 'return' : state.removal().why === '' ? 'goes' : 'refuse',
-    press(state, at) { state.chosen_vertex = nearest_vertex(state.contour, at); },
+    press: (state, at) => state.choose_vertex(nearest_vertex(state.contour, at, (v) => state.is_left(v))),
     draw(picture, state) {
       draw_body(picture, state);
       for (const curve of state.contour.curves) picture.polyline(curve, 'sigma', true);
@@ -223,7 +175,15 @@ const kPictures = {
         picture.polyline(loop.map((v) => points[v]), 'dual', true);
         for (const v of loop) picture.dot(points[v], 'vertex', 0.09 * picture.scale + 1);
       }
-      if (state.tried_vertex() >= 0) draw_removal(picture, state.removal(), points, state.limit);
+      const v = state.tried_vertex();
+      if (v >= 0) draw_removal(picture, state.removal(), state.limit);
+      picture.put_sites(state.contour, v < 0 ? [] : [v], ['p'], 0, [this.tell(state).join(' ')],
+                        { role: 'Vertex', allowed: (u) => state.is_left(u) });
+      if (v < 0) return;
+      const { why, off } = state.removal();
+      const reason = off > state.limit ? `it is ${off.toFixed(2)} from the new edge` : why;
+      const told = why === '' ? ['p may go'] : ['p stays:', ...in_lines(reason)];
+      picture.point_out(points[v], told, [...state.contour.curves, ...loops.map((loop) => loop.map((u) => points[u]))]);
     },
     tell(state) {
       const { loops, pass } = state.coarsened, v = state.tried_vertex();
@@ -237,6 +197,9 @@ const kPictures = {
   },
   insertion: {
     controls: ['back_round', 'insert', 'play_rounds', 'worst', 'next', 'certify', 'again'],
+    code: () => [facet_of, cavity_of, why_not_inserted],
+    legend: () => [kDual, kSigma, ['line', 'line', 'the dual line \u2113'], ['ring', 'ball', 'the surface ball'],
+                   ['line', 'coming', 'the edges to come']],
     line(state) {
       const facets = state.facets();
       if (!state.edge && !state.next_facet(facets)) return 'end';
@@ -249,6 +212,10 @@ const kPictures = {
       draw_insertion(picture, state);
       draw_added(picture, state);
       put_sites(picture, state);
+      const facets = state.facets(), facet = state.facet(facets);
+      const why = why_not_inserted(state.field, state.kappa, facets, facet);
+      if (why === '') return;
+      picture.point_out(facet.x ?? facet.center, ['refused:', ...in_lines(why)], [...state.contour.curves, ...state.loops]);
     },
     tell(state) {
       const facets = state.facets(), facet = state.facet(facets), next = state.next_facet(facets);
@@ -264,6 +231,8 @@ const kPictures = {
   },
   mesh: {
     controls: ['limit', 'shown', 'certify', 'again'],
+    code: () => [refine, worst_of, next_round],
+    legend: () => [kDual, kSigma, ...kOfStages],
     line(state) {
       const { last, shown } = shown_rounds(state);
       return shown === last ? 'return' : shown === 0 ? 'build' : 'insert';
@@ -280,6 +249,9 @@ const kPictures = {
       if (round.facet && shown < last && round.why === '') picture.dot(round.facet.x, 'surface-point', 6);
       draw_added(picture, state);
       put_sites(picture, state);
+      const facets = facets_of(state.field, state.kappa, round.loops);
+      const { x, center, h } = facets.reduce((best, f) => f.h > best.h ? f : best);
+      picture.point_out(x ?? center, [`largest h: ${h.toFixed(2)}`], [...state.contour.curves, ...round.loops]);
     },
     tell(state) {
       const { round, shown, last } = shown_rounds(state);
@@ -300,53 +272,4 @@ function shown_rounds(state) {
   const rounds = [...state.rounds.slice(0, -1), ...state.finished()], last = rounds.length - 1;
   const shown = Math.min(state.shown ?? last, last);
   return { round: rounds[shown], shown, last };
-}
-
-// The vertex p that coarsening tries, the edge to come, and what may not be near it: within D on the wrong
-// side, and in the ball.
-function draw_removal(picture, { vertex, a, b, center, outwards, ball, why }, points, bound) {
-  const [dx, dy] = outwards, across = (t) => [center[0] + t * dx, center[1] + t * dy];
-  const [cx, cy] = picture.to_paper(center);
-  picture.put('circle', { cx, cy, r: ball * picture.scale, class: 'ball' });
-  const aside = (p, t) => [p[0] + t * dx, p[1] + t * dy];
-  picture.polyline([aside(a, bound), aside(b, bound), aside(b, -bound), aside(a, -bound)], 'bound', true);
-  picture.polyline([a, b], why === '' ? 'coming' : 'coming refused');
-  picture.polyline([across(-bound), across(bound)], 'height');
-  picture.dot(points[vertex], why === '' ? 'surface-point' : 'stray', 0.09 * picture.scale + (why === '' ? 3 : 6));
-  picture.text(points[vertex], 'p', 'label', [18 * dx - 4, -18 * dy + 5]);
-}
-
-// The chosen edge with its center c, dual line, surface point x, ball, and the edges to come.
-function draw_insertion(picture, state) {
-  const facets = state.facets(), facet = state.facet(facets);
-  if (facet.x) {
-    const [cx, cy] = picture.to_paper(facet.x);
-    picture.put('circle', { cx, cy, r: facet.radius * picture.scale, class: 'ball' });
-  }
-  const cavity = facet.x ? [...cavity_of(facets, facet.x)] : [];
-  for (const f of facets) {
-    const is_in = f === facet || cavity.includes(f);
-    picture.polyline([f.a, f.b], is_in ? 'dual going' : 'dual');
-  }
-  const [dx, dy] = facet.outwards, { center, x } = facet, reach = Math.max(facet.radius, 0.5);
-  picture.polyline([[center[0] - reach * dx, center[1] - reach * dy],
-                    [center[0] + reach * dx, center[1] + reach * dy]], 'line');
-  if (x) {
-    picture.polyline([facet.a, x, facet.b], 'coming');
-    picture.polyline([center, x], 'height');
-  }
-  for (const loop of state.loops) for (const p of loop) picture.dot(p, 'vertex', 0.09 * picture.scale + 1);
-  picture.dot(center, 'center', 5);
-  const aside = [9 * -dy, 9 * -dx];  // on paper, along the edge
-  picture.text(center, 'c', 'label', [2 * aside[0] - 5, 2 * aside[1] + 5]);
-  picture.text([center[0] - reach * dx, center[1] - reach * dy], '\u2113', 'label', [10, 5]);
-  if (!x) return;
-  picture.dot(x, 'surface-point', 6);
-  picture.text(x, 'x', 'label', [16 * dx - 4, -16 * dy + 5]);
-  picture.text(between(center, x, 0.5), 'h', 'label', [1.4 * aside[0], 1.4 * aside[1] + 5]);
-  // On the side of the ball that the edge is not on.
-  const side = center[1] > x[1] ? -1 : 1;
-  const [px, py] = picture.to_paper([x[0], x[1] + side * facet.radius]);
-  picture.put('text', { x: clamp(px, 60, picture.width - 60), class: 'label',
-                        y: clamp(py + (side < 0 ? 16 : -6), 16, picture.height - 6) }, 'surface ball');
 }

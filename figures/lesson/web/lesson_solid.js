@@ -2,39 +2,76 @@
 // Bodies in space, to be turned: polygons drawn from the furthest to the nearest, as SVG. All bodies of a
 // figure turn together.
 
-// polygons: {points, front, back}: closed, by the classes of its two sides; {points, line}: an open line;
-// {points, letter}: letters at a point. Where all of it is: a ball around the origin of radius 1.
+// polygons: {points, front, back}: closed, by the classes of its two sides, `lit` if light falls on it;
+// {points, line}: an open line; {points, letter}: letters at a point. Where all of it is: a ball around the origin of
+// radius 1. What has a `shift` goes so far when the body is pulled `apart`.
 class Solid {
   constructor(svg, polygons, width, height) {
     this.svg = svg;
     this.polygons = polygons;
+    this.apart = 0;
     svg.setAttribute('viewBox', `${-width / 2} ${-height / 2} ${width} ${height}`);
   }
 
   // yaw, pitch: in radians. The eye looks along -z.
   draw(yaw, pitch) {
-    const [s, c, u, v] = [Math.sin(yaw), Math.cos(yaw), Math.sin(pitch), Math.cos(pitch)];
-    const turned = ([x, y, z]) => {
-      const across = c * x - s * y, deep = s * x + c * y;
-      return [across, v * z + u * deep, u * z - v * deep];
-    };
-    const seen = this.polygons.map((polygon) => {
-      const points = polygon.points.map(turned);
+    const turned = turning(yaw, pitch);
+    const seen = this.polygons.filter(({ is_hidden }) => !is_hidden?.()).map((polygon) => {
+      const { shift } = polygon, move = ([x, y, z], n) => {
+        const by = Array.isArray(shift[0]) ? shift[n] : shift;
+        return [x + this.apart * by[0], y + this.apart * by[1], z + this.apart * by[2]];
+      };
+      const points = (shift ? polygon.points.map(move) : polygon.points).map(turned);
       // What is drawn on a polygon lies a little before it.
       const depth = points.reduce((sum, p) => sum + p[2], 0) / points.length + (polygon.lift ?? 0);
       return { polygon, points, depth };
     }).sort((a, b) => a.depth - b.depth);
-    this.svg.replaceChildren(...seen.map(({ polygon, points }) => {
+    const letters = seen.filter(({ polygon }) => polygon.letter), faces = seen.filter(({ polygon }) => !polygon.letter);
+    this.svg.replaceChildren(...faces.map(({ polygon, points }) => {
       const places = points.map(([x, y]) => `${x.toFixed(3)} ${(-y).toFixed(3)}`);
-      if (polygon.letter) {
-        const [x, y] = places[0].split(' ');
-        return svg_element('text', { x, y, dy: '.06', style: 'font-size:.14px;stroke-width:.04px' }, polygon.letter);
-      }
-      const d = `M${places.join('L')}${polygon.line ? '' : 'Z'}`;
-      const name = polygon.line ?? (area_of(points) > 0 ? polygon.front : polygon.back);
-      return svg_element('path', { d, class: name, 'vector-effect': 'non-scaling-stroke' });
-    }));
+      const d = `M${places.join('L')}${polygon.line ? '' : 'Z'}`, is_front = area_of(points) > 0;
+      const name = polygon.line ?? (is_front ? polygon.front : polygon.back);
+      const path = polygon.path ??= svg_element('path', { 'vector-effect': 'non-scaling-stroke' });
+      path.setAttribute('d', d);
+      path.setAttribute('class', polygon.lit ? `${name} lit${light_on(points, is_front)}` : name);
+      return path;
+    }), ...this.placed(letters).map(({ polygon, at: [x, y] }) =>
+      svg_element('text', { x: x.toFixed(3), y: (-y).toFixed(3), dy: '.05' }, polygon.letter)));
   }
+  // Letters over all else, the nearest first, each pushed away from the middle until it is clear of those before. One
+  // that would stand beside the same letter is left out.
+  placed(letters) {
+    const made = [], kApart = 0.17;
+    for (const { polygon, points: [[x, y]] } of [...letters].reverse()) {
+      const size = Math.hypot(x, y) || 1, at = (t) => [x + t * x / size, y + t * y / size];
+      const other = (p) => made.find((one) => distance(one.at, p) < kApart);
+      let t = 0.1;
+      while (other(at(t)) && t < 0.6) t += 0.02;
+      if (other(at(0.1))?.polygon.letter !== polygon.letter) made.push({ polygon, at: at(t) });
+    }
+    return made;
+  }
+}
+
+// From the body to the eye's right, up and back; `back` goes the other way.
+function turning(yaw, pitch) {
+  const [s, c, u, v] = [Math.sin(yaw), Math.cos(yaw), Math.sin(pitch), Math.cos(pitch)];
+  const turned = ([x, y, z]) => {
+    const across = c * x - s * y, deep = s * x + c * y;
+    return [across, v * z + u * deep, u * z - v * deep];
+  };
+  turned.back = ([x, y, z]) => {
+    const deep = u * y - v * z;
+    return [c * x + s * deep, c * deep - s * x, v * y + u * z];
+  };
+  return turned;
+}
+
+// How bright a side is, from 0 to 10: it faces a light over the eye's left shoulder, or away from it.
+const kToLight = unit([-0.5, 0.8, 0.9]);
+function light_on(points, is_front) {
+  const normal = unit(cross(subtract(points[1], points[0]), subtract(points[2], points[0])));
+  return Math.round(5 + 5 * dot(scaled(normal, is_front ? 1 : -1), kToLight));
 }
 
 // Twice the area in x and y; positive: counter-clockwise.
@@ -87,6 +124,18 @@ function arcs_between(points, labels, triangles, [first, second]) {
   return arcs;
 }
 
+// The same around the origin, and so large that it is seen to be `width` by `height` at most, turned as said.
+function fitted(polygons, turned, width, height) {
+  const middle = box_middle(box_of_points(polygons.flatMap(({ points }) => points.flat())));
+  const box = empty_box();
+  for (const { points } of polygons) for (const p of points) extend_box(box, ...turned(subtract(p, middle)));
+  const size = Math.min(width / (box.hi[0] - box.lo[0]), height / (box.hi[1] - box.lo[1]));
+  // What is seen is in the middle, too.
+  const off = turned.back([(box.lo[0] + box.hi[0]) / 2, (box.lo[1] + box.hi[1]) / 2, 0]);
+  const moved = (p) => scaled(subtract(subtract(p, middle), off), size);
+  return polygons.map((polygon) => ({ ...polygon, points: polygon.points.map(moved) }));
+}
+
 // A Voronoi cell, its neighbors' sites, and the piece of the surface in it, from the page's data.
 function cell_polygons({ sides, surface, ends }) {
   return [...sides.map((points) => ({ points, front: 'side', back: 'side' })),
@@ -123,11 +172,12 @@ function put_solids(figure, bodies) {
     draw();
   };
   for (const body of bodies) {
-    const pictures = are_cells ? [cell_polygons(body)] : labeled_polygons(body);
+    const pictures = are_cells ? [cell_polygons(body)]
+      : labeled_polygons(body).map((polygons) => fitted(polygons, turning(yaw, pitch), 1.72, 1.5));
     const svgs = pictures.map((polygons, n) => {
       const svg = svg_element('svg', { role: 'img', tabindex: 0,
-        'aria-label': `${body.title}${n === 1 ? ': K' : ''}. Arrow keys turn it.` });
-      solids.push(new Solid(svg, polygons, are_cells ? 2.1 : 2, are_cells ? 2.1 : 1.9));
+        'aria-label': `${body.title}, ${body.text}${n === 1 ? ': K' : ''}. Arrow keys turn it.` });
+      solids.push(new Solid(svg, polygons, 2.1, are_cells ? 2.1 : 1.9));
       listen_to_turns(svg, turn);
       return svg;
     });

@@ -18,7 +18,7 @@ class State {
   begin() {
     const { header } = this;
     this.kappa = header.isovalue;
-    this.chosen_sample = header.chosen;
+    this.chosen_sample = this.zoomed = header.chosen;
     this.chosen = 0;
     this.set_samples(header.samples);
     this.sites = header.sites.map((place) => nearest_vertex(this.contour, place));
@@ -54,6 +54,14 @@ class State {
     this.contour = contour_of(this.field, this.kappa);
     this.coarse = [uncoarsened(this.contour)];
     this.chosen_vertex = -1;  // the one that the picture of coarsening is about; -1: the next in turn
+    this.find_zoomed();
+  }
+  // The voxel that picture 2 shows large: of those whose corners alternate the nearest to the sample chosen last;
+  // where there is none, the same as before.
+  find_zoomed() {
+    const off = ({ at }) => distance(at, this.chosen_sample), { saddles } = this.contour;
+    if (saddles.length === 0) return;
+    this.zoomed = saddles.reduce((best, saddle) => off(saddle) < off(best) ? saddle : best).at.map(Math.floor);
   }
   changed() {
     this.regions = regions_of(this.contour, this.sites);
@@ -87,7 +95,10 @@ class State {
     this.kappa = kappa;
     this.recontour();
   }
-  choose_sample(i, j) { this.chosen_sample = [i, j]; }
+  choose_sample(i, j) {
+    this.chosen_sample = [i, j];
+    this.find_zoomed();
+  }
   // Samples at the sides of the slice stay, so that no loop is cut; and some of the surface stays.
   can_change(i, j) { return i > 0 && j > 0 && i < this.field.columns - 1 && j < this.field.rows - 1; }
   set_sample(value) {
@@ -103,6 +114,19 @@ class State {
     this.remember();
     this.sites.push(v);
     this.chosen = this.sites.length - 1;
+    this.changed();
+  }
+  // So many sites: the last ones go, or those come that are furthest from all others.
+  set_site_count(count) {
+    if (count === this.sites.length) return;
+    this.remember('count');
+    this.sites.length = Math.min(this.sites.length, count);
+    while (this.sites.length < count) {
+      const { far } = regions_of(this.contour, this.sites), v = far.indexOf(Math.max(...far));
+      if (far[v] === 0) break;
+      this.sites.push(v);
+    }
+    this.chosen = Math.min(this.chosen, this.sites.length - 1);
     this.changed();
   }
   // At the vertex of T that is furthest from its site.
@@ -183,12 +207,14 @@ class State {
   get coarsened() { return this.coarse.at(-1); }
   // The vertex that the picture of coarsening is about; -1: none is left.
   tried_vertex() {
-    if (this.coarsened.loops.some((loop) => loop.includes(this.chosen_vertex))) return this.chosen_vertex;
+    if (this.is_left(this.chosen_vertex)) return this.chosen_vertex;
     return this.coarsened.waiting[0] ?? -1;
   }
   removal() {
     return removal_of(this.field, this.kappa, this.contour, this.coarsened.loops, this.tried_vertex(), this.limit);
   }
+  choose_vertex(v) { this.chosen_vertex = v; }
+  is_left(v) { return this.coarsened.loops.some((loop) => loop.includes(v)); }
   remove_vertex() {
     if (this.tried_vertex() < 0) return;
     const { field, kappa, contour, coarsened, limit } = this;

@@ -21,5 +21,8 @@ const kNumbers = {
   pieces: (s) => counted(s.regions.arcs[0].length, 'piece', 'pieces'),
   sites: (s) => s.sites.length + s.added.length,
   edges: (s) => s.finished().at(-1).loops.flat().length,
-  limit: (s) => s.limit.toFixed(2),
+  cubes: (s) => marching_cubes_of(s.contour).loops,
+  saddle: (s) => s.contour.saddles.length > 0 ? s.contour.saddles[0].value.toFixed(1) : 'gone',
+  left: (s) => s.coarsened.loops.flat().length,
+  h: (s) => s.facet(s.facets()).h.toFixed(2),
 };

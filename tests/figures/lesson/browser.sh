@@ -55,9 +55,9 @@ window.addEventListener('load', () => {
             .every((b) => b.textContent === 'Back' || !b.disabled));
   }
   check('so the finished mesh is there', status('mesh').includes('30 edges') &&
-        figure('mesh').querySelectorAll('.vertex').length === 30);
+        figure('mesh').querySelectorAll('.views .vertex').length === 30);
   check('coarsening begins with a refusal', status('coarsen').includes('It stays') && marked('coarsen').startsWith('p or'));
-  press('need', 'A few points, refined');
+  press('need', 'A few points');
   check('ten points meet themselves', status('need').includes('meets itself at A'));
 
   const numbers = () => figure('samples').querySelectorAll('.number')[44].textContent;
@@ -75,7 +75,7 @@ window.addEventListener('load', () => {
   move('contour', 'Its value', was);
   check('and goes back by its slider', status('contour').includes('52.4, at least 50: joined'));
 
-  press('dual', 'Start again');
+  press('dual', 'Reset');
   check('the certificate fails at first, and its line is marked', status('dual').includes('C1 fails') &&
         figure('dual').querySelector('.asked') && marked('dual').includes('C1'));
   const place = () => first.dataset.place;
@@ -93,13 +93,13 @@ window.addEventListener('load', () => {
   check('the site keeps the focus', document.activeElement === first);
   check('its picture speaks, others are silent', figure('sites').querySelector('.status').ariaLive === 'polite' &&
         figure('dual').querySelector('.status').ariaLive === 'off');
-  press('dual', 'Start again');
-  press('dual', 'Make v a site');
+  press('dual', 'Reset');
+  press('dual', 'Insert v');
   check('then the certificate holds, and Stage 1 returns', status('dual').includes('holds') &&
         marked('dual').startsWith('return') && marked('sites').includes('Refine'));
   press('dual', 'Back');
   check('a step back', status('dual').includes('C1 fails'));
-  press('dual', 'Make v a site');
+  press('dual', 'Insert v');
   const ball = figure('insertion').querySelector('.ball')?.getAttribute('r');
   press('insertion', 'Insert x');
   press('insertion', 'Insert x');
@@ -108,11 +108,81 @@ window.addEventListener('load', () => {
   check('points are counted', status('insertion').includes('2 points inserted') && status('mesh').includes('30 edges'));
   press('insertion', 'Back');
   check('an insertion is taken back', status('insertion').includes('1 point inserted'));
+  check('what asks for sites is gone with the fault', ![...figure('mesh').querySelectorAll('button')]
+    .some((b) => b.textContent === 'Certify' && b.offsetWidth > 0));
   move('mesh', 'Rounds', 3);
   check('the mesh after three insertions', status('mesh').includes('14 edges') && marked('mesh').startsWith('while'));
   move('mesh', 'Rounds', 19);
   press('coarsen', 'Try p');
   check('a vertex is tried', status('coarsen').includes('38 of 38') && !figure('coarsen').querySelector('button').disabled);
+  const tried = () => figure('coarsen').querySelector('.handle'), vertex = tried().getAttribute('aria-valuenow');
+  tried().focus();
+  key(tried(), 'ArrowRight');
+  check('a key chooses the vertex that coarsening tries', tried().getAttribute('aria-valuenow') !== vertex &&
+        document.activeElement === tried() && tried().getAttribute('aria-label') === 'Vertex p');
+  for (let n = 0; n < 40 && !status('coarsen').includes('It may go'); ++n) key(tried(), 'ArrowRight');
+  key(tried(), 'Delete');
+  check('and another tries it', status('coarsen').includes('37 of 38'));
+  check('a picture is named as its line says', ['need', 'samples', 'contour', 'sites', 'dual', 'coarsen', 'insertion', 'mesh']
+    .every((name) => figure(name).querySelector('.picture').getAttribute('aria-label') === status(name)));
+
+  // Numbers in sentences.
+  const number = (name) => document.querySelector(`[data-slider=${name}]`);
+  for (const name of ['kappa', 'corner', 'count', 'limit', 'shown']) {
+    const at = number(name), was = at.textContent, step = name === 'shown' ? 'ArrowLeft' : 'ArrowRight';
+    const before = [...document.querySelectorAll('.picture')].map((picture) => picture.innerHTML).join();
+    key(at, step);
+    check(`the number ${name} in a sentence goes by keys, and pictures follow`, at.textContent !== was &&
+          at.getAttribute('aria-valuenow') === at.textContent &&
+          [...document.querySelectorAll('.picture')].map((picture) => picture.innerHTML).join() !== before);
+    key(at, step === 'ArrowLeft' ? 'ArrowRight' : 'ArrowLeft');
+    check(`and back: ${name}`, at.textContent === was);
+  }
+  const kappa = number('kappa'), [x, y] = middle(kappa);
+  point(kappa, 'pointerdown', [x, y]);
+  point(kappa, 'pointermove', [x + 24, y]);
+  point(kappa, 'pointerup', [x + 24, y]);
+  check('or is dragged', kappa.textContent === '54' && status('samples').includes('\u03ba = 54'));
+  check('all numbers that name one thing agree', [...document.querySelectorAll('[data-slider=kappa]')]
+    .every((one) => one.textContent === '54'));
+  key(kappa, 'Home');
+  check('a key leads to its least value', kappa.textContent === '40');
+  press('contour', 'Undo');
+
+  // The voxel that is shown large.
+  const large = figure('contour').querySelectorAll('.picture:not(.swatch)')[1];
+  const saddle = () => [...large.querySelectorAll('.remark')].map((text) => text.textContent).join(' ');
+  check('the large voxel tells what the saddle decides', saddle() === 'saddle 52.4 \u2265 50: joined');
+  move('contour', 'Isovalue \u03ba', 53);
+  check('and what else', saddle() === 'saddle 52.4 < 53: apart');
+  press('contour', 'Undo');
+  press('sites', 'Reset');
+  check('a piece astray has its own color, and words', figure('sites').querySelector('.astray') &&
+        figure('sites').querySelector('.remark').textContent === 'nearest to A too,');
+  check('every picture has a legend', ['need', 'samples', 'contour', 'sites', 'dual', 'coarsen', 'insertion', 'mesh']
+    .every((name) => figure(name).querySelectorAll('.legend .swatch').length >= 3));
+  const scripts = [...document.scripts].map((script) => script.textContent.replaceAll(/\s/g, '')).join('');
+  const codes = [...document.querySelectorAll('.script code')].map((code) => code.textContent);
+  check('the code that is shown is that which runs', document.querySelectorAll('.script').length === 8 &&
+        codes.every((text) => text.length > 80 && scripts.includes(text.replaceAll(/\s/g, ''))));
+  check('pseudocode is open where there is room', [...document.querySelectorAll('.fold')]
+    .every((fold) => fold.open === (window.innerWidth > 991)));
+
+  // The torus.
+  const torus = document.querySelector('#torus svg'), apart = document.querySelector('#torus input');
+  const set_apart = (value) => {
+    apart.value = value;
+    apart.dispatchEvent(new Event('input', { bubbles: true }));
+  };
+  set_apart(0);
+  const closed = torus.innerHTML;
+  check('the torus is closed', torus.getAttribute('aria-label').includes('closed') && torus.children.length > 1000);
+  set_apart(1);
+  check('and pulled apart', torus.getAttribute('aria-label').includes('apart') && torus.innerHTML !== closed);
+  const pieces = torus.children.length;
+  document.querySelector('#torus button').click();
+  // A mesh of V vertices with one hole has 3 V edges.
+  check('its mesh has one hole', torus.children.length === pieces + 3 * 40);
   const edges = () => Number(status('mesh').match(/(\d+) edges/)?.[1]), few = edges();
   move('mesh', 'Limit D', 0.05);
   check('a smaller limit needs more edges', edges() > few);
@@ -153,7 +223,7 @@ for size in 1280,800 390,844; do
   fi
   tr '\n' ' ' <"$work/dom" | grep -o '<pre>[^<]*</pre>' | sed 's/<[^>]*>//g' >"$work/answers"
   sed "s/^/$size /" "$work/answers"
-  [ "$(grep -c '^fine' "$work/answers")" -eq 39 ] || faults=1
+  [ "$(grep -c '^fine' "$work/answers")" -eq 66 ] || faults=1
   if grep 'CONSOLE' "$work/log"; then faults=1; fi
 done
 exit $faults

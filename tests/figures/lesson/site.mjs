@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The lesson by finger, on a phone's screen: what is dragged by its handle changes and the page stays; a swipe
 // over a picture scrolls the page and changes nothing. The tours of the site's traces show all that they tell of.
-// Needs Chromium. Usage: node site.mjs SITE [all]; without `all` 32 of the 80 gestures.
+// Needs Chromium. Usage: node site.mjs SITE [all]; without `all` 32 of the 80 gestures on pictures.
 import { spawnSync } from 'node:child_process';
+import { existsSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { Browser, serve } from '../../web/browser.mjs';
 
@@ -101,6 +102,38 @@ try {
   }
   count('numbers that are tapped, then dragged change, and the page does not', arrived, few ? 6 : 16);
 
+  // Numbers in sentences by a finger that goes to the side.
+  arrived = 0;
+  const count_of = await browser.value(`document.querySelectorAll('[data-slider]').length`);
+  const every = few ? 4 : 1, tried = Math.ceil(count_of / every);
+  const place_of = async (n) => {
+    await browser.value(`document.querySelectorAll('[data-slider]')[${n}].scrollIntoView({ block: 'center', behavior: 'instant' })`);
+    await browser.frame();
+    return browser.value(`(({ x, y, width, height }) => [x + width / 2, y + height / 2])(
+      document.querySelectorAll('[data-slider]')[${n}].getBoundingClientRect())`);
+  };
+  const number = (n) => browser.value(`document.querySelectorAll('[data-slider]')[${n}].textContent`);
+  for (let n = 0; n < count_of; n += every) {
+    await browser.value('lesson.state.limit = 0.1; lesson.state.redraw()');  // several name it, and it has a least value
+    const at = await place_of(n), before = await number(n);
+    await browser.swipe(at, [at[0] > 195 ? -60 : 60, 0], 8);
+    await until_still();
+    const after = await number(n);
+    if (after === before) console.log(`number ${n} in a sentence: still ${after}`);
+    arrived += after !== before;
+  }
+  count('numbers in sentences that are dragged to the side change', arrived, tried);
+  arrived = 0;
+  for (let n = 0; n < count_of; n += every) {
+    const at = await place_of(n), before = await number(n), top = await browser.value('scrollY');
+    await browser.swipe(at, [0, n % 2 ? 140 : -140]);
+    await until_still();
+    const fine = await number(n) === before && await browser.value('scrollY') !== top;
+    if (!fine) console.log(`number ${n} in a sentence: ${before} to ${await number(n)}`);
+    arrived += fine;
+  }
+  count('swipes over numbers in sentences scroll the page, and change nothing', arrived, tried);
+
   let unchanged = 0, went = 0, all = 0;
   for (const name of ['samples', 'contour', 'coarsen', 'insertion', 'mesh']) {
     for (const [n, place] of [[1, 7], [11, 7], [1, 1], [11, 1], [6, 5], [6, 1], [3, 7], [10, 7]].slice(few ? 4 : 0).entries()) {
@@ -119,7 +152,26 @@ try {
   count('swipes over a picture change nothing', unchanged, all);
   count('swipes over a picture scroll the page', went, all);
 
-  for (const [page, stops] of [['tori-paper.html', 8], ['tori.html', 6]]) {
+  // The reader's slice by the program, where the site has it: the neck is cut, then a piece has a hole.
+  if (existsSync(resolve(process.argv[2], 'browser/deliso.wasm'))) {
+    const told = `document.querySelector('#body .status').textContent`;
+    const edges = `document.querySelectorAll('#body .outer, #body .inner').length`;
+    await browser.value(`lesson.state.start_again(); lesson.state.redraw(); document.querySelector('#body button').click()`);
+    const shows = async (counts) => {
+      await browser.until(`${told}.includes('; ${counts}')`);
+      return Number((await browser.value(told)).match(/(\d+) triangles/)[1]) === await browser.value(edges);
+    };
+    let right = await shows('1 component, Euler number 2');
+    await browser.value('lesson.state.set_kappa(53); lesson.state.redraw()');
+    right &= await shows('2 components, Euler number 4');
+    await browser.value('lesson.state.choose_sample(9, 5); lesson.state.set_sample(10); lesson.state.redraw()');
+    right &= await shows('2 components, Euler number 2');
+    count('meshes of the slice by the program, of three', right ? 3 : 0, 3);
+  } else if (await browser.value(`document.getElementById('body').offsetWidth`) > 0) {
+    count('pictures of a program that is not there', 1, 0);
+  }
+
+  for (const [page, stops] of [['tori-paper.html', 8], ['tori.html', 8]]) {
     await browser.open(`http://127.0.0.1:${server.address().port}/${page}`);
     await browser.until('window.deliso?.view.trace !== undefined');
     count(`stops of the tour of ${page} that the trace has`,

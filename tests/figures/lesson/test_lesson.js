@@ -617,7 +617,7 @@ test('the lesson itself: what its text and the pictures of the guide say', () =>
   state.way = 'few';
   assert.match(kPictures.need.tell(state)[0], /meets itself at A/);
   state.way = 'cubes';
-  assert.match(kPictures.need.tell(state)[0], /38 edges in 2 loops\. \u03a3 has 1\./);
+  assert.match(kPictures.need.tell(state)[0], /38 edges in 2 loops\. \u03a3 has 1 loop\./);
   for (let kappa = 40; kappa <= 65; ++kappa) {
     state.start_again();
     state.set_kappa(kappa);
@@ -626,5 +626,32 @@ test('the lesson itself: what its text and the pictures of the guide say', () =>
     const { loops, refused } = state.finished().at(-1);
     const most = Math.max(...facets_of(state.field, kappa, loops).map((f) => f.h));
     assert.ok(most <= 0.1 || refused.length > 0, `isovalue ${kappa}`);
+  }
+});
+
+test('the torus at the top: every piece is a disk, two meet along one curve or not at all, and K is a torus', () => {
+  const page = fs.readFileSync(path.join(root, 'docs/index.html'), 'utf8');
+  const { torus } = JSON.parse(/id="header">(.*?)<\/script>/s.exec(page)[1]);
+  assert.equal(torus.length, 40);
+  for (const { surface, ends } of torus) {
+    const edges = new Map();
+    // Where an edge of T lies in the plane between two sites, a triangle leaves an edge to one of them.
+    const polygons = surface.filter((polygon) => new Set(polygon).size > 2)
+      .map((polygon) => polygon.filter((v, n) => v !== polygon.at(n - 1)));
+    for (const polygon of polygons) {
+      polygon.forEach((v, n) => {
+        const key = [v, polygon[(n + 1) % polygon.length]].sort((a, b) => a - b).join();
+        edges.set(key, (edges.get(key) ?? 0) + 1);
+      });
+    }
+    assert.equal(new Set(polygons.flat()).size - edges.size + polygons.length, 1);
+    const border = [...edges].filter(([, count]) => count === 1).map(([key]) => key);
+    const drawn = ends.filter(([a, b]) => a !== b).map((end) => [...end].sort((a, b) => a - b).join());
+    assert.deepEqual([...new Set(drawn)].sort(), border.sort());
+  }
+  const { pairs, triples } = neighbors_of(torus);
+  assert.equal(torus.length - pairs.length + triples.length, 0);
+  for (const pair of pairs) {
+    assert.equal(triples.filter((triple) => pair.every((n) => triple.includes(n))).length, 2, String(pair));
   }
 });

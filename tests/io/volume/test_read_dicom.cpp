@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Series of DICOM slices. Files of several frames are among the forms of test_read_volume.
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -162,6 +164,35 @@ TEST_CASE("files of the folder that are no images are passed over, and told") {
   CHECK(log.files.size() == kSlices);
   for (const char* name : kNames) std::filesystem::remove(series + "/" + name);
   CHECK(read_message(series).find("is a folder without slices") != std::string::npos);
+}
+
+TEST_CASE(
+    "a file that cannot be read stops a folder of slices, and is told of in a folder of folders") {
+  const TemporaryFolder folder;
+  const Truth truth = oblique_truth(SampleType::i16);
+  const std::string series = write_series(folder, truth), top = folder.path("");
+  const auto make_unreadable = [&](const std::string& name) {
+    std::filesystem::permissions(folder.write(name, "text"), std::filesystem::perms::none);
+  };
+  make_unreadable("secret");
+  std::filesystem::permissions(top, std::filesystem::perms(0755));
+  // Root may read everything, so root becomes somebody else for these lines.
+  const uid_t user = geteuid();
+  const auto as_nobody = [&](auto read) {
+    if (user == 0) REQUIRE(seteuid(65534) == 0);
+    auto result = read();
+    if (user == 0) REQUIRE(seteuid(user) == 0);
+    return result;
+  };
+  ReadLog log;
+  CHECK(as_nobody([&] { return bytes_of_samples(read_volume(top, {}, &log)); }) == truth.bytes);
+  CHECK(has(log.notes, "files-unreadable"));
+  make_unreadable("series/f.dcm");
+  CHECK(as_nobody([&] { return read_message(series); }).starts_with("series/f.dcm: cannot open"));
+  for (const char* name : kNames) std::filesystem::remove(series + "/" + name);
+  CHECK(as_nobody([&] {
+          return read_message(top);
+        }).ends_with(", or a file; cannot read 'secret' and 1 more"));
 }
 
 TEST_CASE("each fault of a series has its message, with the file") {

@@ -19,6 +19,24 @@ namespace {
 constexpr Index3 kSegDims{5, 3, 6};
 constexpr std::size_t kSegFrame = 15;
 
+// What dcmqi wrote for colors of 3D Slicer, in its public files and in its issue 563; and black.
+struct KnownColor {
+  std::array<std::uint16_t, 3> cielab;
+  std::array<std::uint8_t, 3> srgb;
+};
+constexpr std::array<KnownColor, 12> kKnownColors{{{{43803, 26565, 37722}, {128, 174, 128}},
+                                                   {{41661, 41167, 40792}, {221, 130, 101}},
+                                                   {{37064, 44082, 41620}, {216, 101, 79}},
+                                                   {{45062, 38660, 25486}, {183, 156, 220}},
+                                                   {{55193, 26619, 30325}, {140, 224, 228}},
+                                                   {{38399, 29410, 23264}, {0, 151, 206}},
+                                                   {{34886, 53484, 50172}, {255, 0, 0}},
+                                                   {{16732, 45246, 42677}, {128, 0, 0}},
+                                                   {{4987, 33336, 32853}, {25, 22, 23}},
+                                                   {{1797, 32896, 32896}, {10, 10, 10}},
+                                                   {{65535, 32896, 32896}, {255, 255, 255}},
+                                                   {{0, 32768, 32768}, {0, 0, 1}}}};
+
 // Segments 1 to 3, or 298 to 300, with a byte for each sample. Those of "BINARY" that may not
 // overlap have a sample of the first alone, so each is somewhere.
 struct RandomSegments {
@@ -26,6 +44,7 @@ struct RandomSegments {
     Random random(seed);
     first = seed % 2 == 0 ? 1 : 298;
     if (kind != "BINARY") first = 1;
+    colors = {kKnownColors[seed % 12], kKnownColors[(seed + 1) % 12]};
     for (std::string& segment : segments) segment.assign(kSegFrame * kSegDims.k, '\0');
     for (std::size_t at = 0; at < segments[0].size(); ++at) {
       const std::size_t slice = at / kSegFrame;
@@ -46,6 +65,10 @@ struct RandomSegments {
     std::string frames;
     for (std::size_t n = 0; n < segments.size(); ++n) {
       named.push_back({{0x00620004, number(first + n)}, {0x00620005, {"LO", text("part ", n)}}});
+      if (n == 2) continue;  // it has no color
+      std::string triple;
+      for (const std::uint16_t value : colors[n].cielab) triple += ordered(value, 2, form.order);
+      named.back()[0x0062000d] = {"US", triple};
     }
     const auto add = [&](int slice, const std::string& frame,
                          std::optional<std::uint64_t> segment) {
@@ -107,6 +130,7 @@ struct RandomSegments {
   std::string kind;
   std::uint64_t first = 1;
   std::array<std::string, 3> segments;
+  std::array<KnownColor, 2> colors;
   Vec3 origin{10, -20.25, 30.5}, step{-2.4, 1.8, 0};
 };
 
@@ -128,6 +152,8 @@ TEST_CASE("segmentations: every segment where it was drawn, in slices without a 
     REQUIRE(segments.size() == 3);
     for (std::size_t n = 0; n < 3; ++n) {
       CHECK(segments[n].name == text("part ", n));
+      REQUIRE(segments[n].color.has_value() == (n < 2));
+      if (n < 2) CHECK(*segments[n].color == truth.colors[n].srgb);
       ReadOptions options;
       options.channel =
           kind == "FRACTIONAL" ? static_cast<std::int64_t>(n) + 1 : segments[n].channel;

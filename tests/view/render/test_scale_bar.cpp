@@ -82,3 +82,34 @@ TEST_CASE("axes are drawn in their directions, weaker where they point away") {
   CHECK(darkest({1, 0, 0}, true) > darkest({-1, 0, 0}, true));
   CHECK(darkest({1, 0, 0}, false) > darkest({-1, 0, 0}, false));
 }
+
+TEST_CASE("where axes have room, none of their ink is cut off, whatever way they point") {
+  Random random(5);
+  const auto ink_of = [](PictureSize size, Camera camera) {
+    const Layout layout = lay_out(size, 1, false, false);
+    camera.size = layout.panel;
+    Image image(size.width, size.height, {255, 255, 255});
+    draw_axes(image, layout, camera, {"x", "y", "z"}, {0, 0, 0});
+    std::int64_t ink = 0;
+    image.for_pixels(0, 0, size.width, size.height,
+                     [&](int, int, const Rgb& pixel) { ink += 255 - pixel.red; });
+    return ink;
+  };
+  int cut = 0;
+  for (int n = 0; n < 200; ++n) {
+    Camera camera;
+    camera.back = direction_to({random.uniform(0, 360), random.uniform(-80, 80)});
+    const Vec3 across = cross({0, 0, 1}, camera.back);
+    camera.right = across / length(across);
+    camera.up = cross(camera.back, camera.right);
+    const PictureSize size{40 + static_cast<int>(random.below(80)),
+                           40 + static_cast<int>(random.below(80))};
+    const bool has_room = has_room_for_axes(lay_out(size, 1, false, false));
+    CHECK(has_room == (std::min(size.width, size.height) >= 90));
+    // A larger picture, where lines and letters are as small. Shades may be rounded otherwise.
+    const std::int64_t missing = ink_of({400, 400}, camera) - ink_of(size, camera);
+    if (has_room) CHECK(std::abs(missing) <= 3);
+    cut += missing > 3;
+  }
+  CHECK(cut > 50);
+}

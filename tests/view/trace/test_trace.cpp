@@ -266,7 +266,9 @@ TEST_CASE("facets replayed are the mesh, and zones are in conflict, in both prog
   }
 }
 
-TEST_CASE("the exact program begins with T, on the surface and of its topology, and coarsens it") {
+TEST_CASE(
+    "the exact program begins with T, on the surface and of its topology, and coarsens it step by "
+    "step") {
   for (const char* name : {"torus", "gyroid", "noise"}) {
     CAPTURE(name);
     const Scene scene = builtin_scene(name, 16);
@@ -274,7 +276,6 @@ TEST_CASE("the exact program begins with T, on the surface and of its topology, 
     const Trace& trace = run.trace;
     REQUIRE(trace.size() >= 2);
     CHECK(routine_of(trace, 0) == Routine::contour);
-    CHECK(routine_of(trace, 1) == Routine::coarsen);
     Complex complex;
     replay(trace, 0, complex);
     CHECK(static_cast<float>(complex.size()) == trace.arrays().value[0]);
@@ -293,7 +294,30 @@ TEST_CASE("the exact program begins with T, on the surface and of its topology, 
     for (const VertexId v : vertices) {
       REQUIRE(std::abs(scene.volume.value(trace.point(v)) - scene.surface.kappa()) < 1e-6);
     }
-    replay(trace, 1, complex);
+    // A removal takes all facets at its vertex away, and puts none there.
+    const auto facets_at = [](const std::vector<Triangle>& facets, VertexId v) {
+      return std::ranges::count_if(facets, [&](const Triangle& t) { return has_corner(t, v); });
+    };
+    std::size_t removals = 0, e = 1;
+    for (; routine_of(trace, e) != Routine::coarsen; ++e) {
+      const auto removed = triangles_of(trace.arrays().removed, e);
+      const auto added = triangles_of(trace.arrays().added, e);
+      if (routine_of(trace, e) == Routine::contour) removals = 0;  // T is coarsened again
+      if (routine_of(trace, e) == Routine::remove_vertices) {
+        ++removals;
+        const VertexId v(trace.arrays().caller[3 * e]);
+        CHECK(facets_at(removed, v) == std::ssize(removed));
+        CHECK(facets_at(added, v) == 0);
+        CHECK(added.size() < removed.size());
+      }
+      if (routine_of(trace, e) == Routine::flip_edges) CHECK(added.size() == removed.size());
+      replay(trace, e, complex);
+    }
+    CHECK(removals > vertices.size() / 5);
+    CHECK(vertices.size() - removals == run.report.vertices_coarsened);
+    const Complex before = complex;
+    replay(trace, e, complex);
+    CHECK(complex == before);
     Options stage1;
     stage1.stop_after_stage1 = true;
     CHECK(facets_of(trace, complex) == facets_of(traced(scene, stage1).mesh));

@@ -15,7 +15,9 @@ function styled(rows, dark, light) {
 const kOperations = {
   ...styled([['init_triangulation', 'first points'], ['multi_intersect', 'several hits'],
              ['extract_manifold', 'make disks'], ['approximate_geom', 'rough shape'],
-             ['certify', 'certify regions'], ['contour', 'exact contour']], 0x2a5fb0, 0x9fd0f5),
+             ['certify', 'certify regions'], ['contour', 'exact contour'],
+             ['remove_vertices', 'T: remove'], ['move_vertices', 'T: move'],
+             ['flip_edges', 'T: flip']], 0x2a5fb0, 0x9fd0f5),
   build_tri_mesh: { label: 'the switch', color: 0x7d7d7d, dash: 'solid' },
   coarsen: { label: 'coarsen', color: 0x5f5f5f, dash: 'solid' },
   ...styled([['surface_point', 'insert'], ['foot', 'insert nearby'],
@@ -27,7 +29,7 @@ const kOperations = {
 const kCriteria = {
   beginning: { label: 'beginning', color: 0x7d7d7d, dash: 'solid' },
   ...styled(['several hits', 'no disk', 'no half disk', 'facet cycle', 'region', 'interface', 'triple',
-             'boundary', 'no area']
+             'boundary', 'no area', 'off the middle', 'wide angles']
     .map((name) => [name, name]), 0x2a5fb0, 0x9fd0f5),
   ...styled([['h', 'distance h'], ['r/l', 'shape r/l'], ['h/r', 'h/r'], ['r/pole', 'r/pole'],
              ['r', 'size r'], ['not Delaunay', 'not Delaunay'],

@@ -39,10 +39,21 @@ const kNoSwitch = 'The trace ends before Stage 2 begins; there is no switch.';
 
 function exact_stops(trace) {
   const facets = (e) => counted(trace.size('added', e), 'facet', 'facets');
+  const is_by = (e, name) => trace.routine(e).name === name;
+  // The one with the most facets that can be seen well.
+  const removal = heaviest(trace, (e) => is_by(e, 'remove_vertices') ? -Math.abs(trace.size('removed', e) - 6) : -Infinity);
+  const flips = heaviest(trace, (e) => is_by(e, 'flip_edges') ? trace.size('removed', e) : -Infinity);
   return [
     stop('The exact contour', trace.count > 0 ? 0 : -1, (e) =>
       `The run begins with the exact contour T, ${facets(e)}. It has the topology of the isosurface, and its ` +
       'vertices, the dots, lie on it.', kNoEvents, true),
+    stop('A vertex of T goes', removal, (e) =>
+      `T is coarsened, a vertex at a time. Of this one ${counted(trace.size('removed', e), 'facet goes', 'facets go')}, ` +
+      `and ${counted(trace.size('added', e), 'facet fills', 'facets fill')} the hole. Go on by the right arrow key, ` +
+      'to see the next ones go.', 'No vertex of T was removed in this trace.'),
+    stop('Edges are flipped', flips, (e) =>
+      `Between removals vertices move to the middles of their stars, and edges are flipped: ${trace.size('removed', e) >> 1} ` +
+      'or so in this sweep. Then more vertices can go.', 'No edge of T was flipped in this trace.', true),
     stop('The coarsened mesh', trace.switch_at, (e) =>
       `Stage 1 coarsens T to ${facets(e)}, as far as distance and shape allow. ` +
       `${topology_at_switch(trace.header)} Stage 2 gives the mesh its shape.`, kNoSwitch, true),
