@@ -11,6 +11,7 @@
 
 #include "exact/predicates.h"
 #include "more/solids/moves.h"
+#include "more/solids/quality.h"
 #include "more/solids/wall_table.h"
 
 namespace deliso {
@@ -62,6 +63,8 @@ class Recovery {
  private:
   // Tries before an edge or a wall is cut.
   static constexpr int kMostTries = 24;
+  // A new vertex hardly sees a facet if their cell has a shape below it.
+  static constexpr double kHardly = 1e-9;
   // Of the edges or walls that moves leave, one in as many is cut before moves are tried again.
   static constexpr std::size_t kShareCut = 8;
   // Parts of a wall are turned only if their areas are more than this share of it.
@@ -183,6 +186,56 @@ class Recovery {
     return edges_.size() < edges || missing_.size() < missing;
   }
 
+  // Puts a vertex at p, which lies in or at the cell: in place of it, and of its neighbors as long as
+  // a facet does not see p, or hardly does. Returns the vertex; kNoId where walls are in the way.
+  VertexId insert_at(const Vec3& p, CellId start) {
+    std::vector<CellId> zone{start};
+    for (std::size_t k = 0; k < zone.size(); ++k) {
+      for (int i = 0; i < 4; ++i) {
+        const CellId n = mesh_.neighbor(zone[k], i);
+        if (std::ranges::find(zone, n) != zone.end() || sees(p, {zone[k], i})) continue;
+        if (n == kNoId || mesh_.is_wall({zone[k], i}) || zone.size() == kMostAround) return kNoId;
+        zone.push_back(n);
+      }
+    }
+    return keeps_edges(zone) ? star_from(mesh_, p, zone, 0) : VertexId(kNoId);
+  }
+
+  bool sees(const Vec3& p, Facet f) const {
+    const Tetrahedron& v = mesh_.corners(f.cell);
+    const auto& i = kFacetVertices[f.index];
+    return shape(at(v[i[2]]), at(v[i[1]]), at(v[i[0]]), p) > kHardly;
+  }
+
+  // True if every wall's edge of the zone's cells is on the zone's boundary.
+  bool keeps_edges(std::span<const CellId> zone) const {
+    const auto for_each_edge = [](const Tetrahedron& v, int but, auto&& visit) {
+      for (int i = 0; i < 4; ++i) {
+        for (int k = i + 1; k < 4; ++k) {
+          if (i != but && k != but) visit(v[i], v[k]);
+        }
+      }
+    };
+    std::vector<std::pair<VertexId, VertexId>> outer;
+    for (CellId c : zone) {
+      for (int i = 0; i < 4; ++i) {
+        if (std::ranges::find(zone, mesh_.neighbor(c, i)) != zone.end()) continue;
+        for_each_edge(mesh_.corners(c), i, [&](VertexId u, VertexId w) {
+          outer.push_back(std::minmax(u, w));
+        });
+      }
+    }
+    bool kept = true;
+    for (CellId c : zone) {
+      for_each_edge(mesh_.corners(c), -1, [&](VertexId u, VertexId w) {
+        if (walls_.has_edge(u, w) &&
+            std::ranges::find(outer, std::pair<VertexId, VertexId>(std::minmax(u, w))) == outer.end())
+          kept = false;
+      });
+    }
+    return kept;
+  }
+
   // Cuts the edge from a to b where it first crosses a facet or an edge of cells.
   bool cut_edge(VertexId a, VertexId b) {
     const auto crossing = first_crossing(a, b);
@@ -190,20 +243,10 @@ class Recovery {
     const Facet f = crossing->facet;
     std::array<VertexId, 3> v;
     for (int k = 0; k < 3; ++k) v[k] = mesh_.corners(f.cell)[kFacetVertices[f.index][k]];
-    std::vector<CellId> zone;
-    if (crossing->edge >= 0) {
-      const VertexId u = v[crossing->edge], w = v[(crossing->edge + 1) % 3];
-      if (walls_.has_edge(u, w)) return false;
-      find_ring(mesh_, f.cell, u, w, ring_);
-      zone = ring_.cells;
-    } else {
-      if (mesh_.is_wall(f)) return false;
-      zone = {f.cell, mesh_.neighbor(f.cell, f.index)};
-    }
     const double from_a = orient3d_value(at(v[0]), at(v[1]), at(v[2]), at(a));
     const double from_b = orient3d_value(at(v[0]), at(v[1]), at(v[2]), at(b));
     const Vec3 p = at(a) + from_a / (from_a - from_b) * (at(b) - at(a));
-    const VertexId x = star_from(mesh_, p, zone, 0);
+    const VertexId x = insert_at(p, f.cell);
     if (x == kNoId) return false;
     ++counts_.cut_edges;
     for (WallId w : walls_.at_edge(a, b)) {
@@ -278,7 +321,7 @@ class Recovery {
       const Vec3 &p = at(ring_.a), &q = at(ring_.b);
       const double of_p = orient3d_value(at(v[0]), at(v[1]), at(v[2]), p);
       const double of_q = orient3d_value(at(v[0]), at(v[1]), at(v[2]), q);
-      x = star_from(mesh_, p + of_p / (of_p - of_q) * (q - p), ring_.cells, 0);
+      x = insert_at(p + of_p / (of_p - of_q) * (q - p), ring_.cells.front());
     }
     if (x == kNoId) return false;
     ++counts_.cut_walls;
