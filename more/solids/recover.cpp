@@ -318,10 +318,15 @@ class Recovery {
     VertexId x = kNoId;
     for (int k = 0; k < 3 && x == kNoId; ++k) {
       if (!find_crossing(v, k)) continue;
-      const Vec3 &p = at(ring_.a), &q = at(ring_.b);
-      const double of_p = orient3d_value(at(v[0]), at(v[1]), at(v[2]), p);
-      const double of_q = orient3d_value(at(v[0]), at(v[1]), at(v[2]), q);
-      x = insert_at(p + of_p / (of_p - of_q) * (q - p), ring_.cells.front());
+      // From the wall's corners: so a wall in a plane of the axes is not left by rounding.
+      std::array<double, 3> share;
+      for (int n = 0; n < 3; ++n) {
+        share[n] = orient3d_value(at(v[(n + 1) % 3]), at(v[(n + 2) % 3]), at(ring_.a), at(ring_.b));
+      }
+      const double all = share[0] + share[1] + share[2];
+      const Vec3 p = at(v[0]) + share[1] / all * (at(v[1]) - at(v[0])) +
+                     share[2] / all * (at(v[2]) - at(v[0]));
+      x = insert_at(p, ring_.cells.front());
     }
     if (x == kNoId) return false;
     ++counts_.cut_walls;
