@@ -63,8 +63,7 @@ class Recovery {
  private:
   // Tries before an edge or a wall is cut.
   static constexpr int kMostTries = 24;
-  // A new vertex hardly sees a facet if their cell has a shape below it.
-  static constexpr double kHardly = 1e-9;
+  static constexpr std::size_t kMostInZone = 24;
   // Of the edges or walls that moves leave, one in as many is cut before moves are tried again.
   static constexpr std::size_t kShareCut = 8;
   // Parts of a wall are turned only if their areas are more than this share of it.
@@ -189,22 +188,31 @@ class Recovery {
   // Puts a vertex at p, which lies in or at the cell: in place of it, and of its neighbors as long as
   // a facet does not see p, or hardly does. Returns the vertex; kNoId where walls are in the way.
   VertexId insert_at(const Vec3& p, CellId start) {
+    for (double hardly : {1e-9, 1e-13, 0.}) {
+      const VertexId x = insert_at(p, start, hardly);
+      if (x != kNoId) return x;
+    }
+    return kNoId;
+  }
+
+  // Facets hardly see p if their cell has a shape that is not over `hardly`.
+  VertexId insert_at(const Vec3& p, CellId start, double hardly) {
     std::vector<CellId> zone{start};
     for (std::size_t k = 0; k < zone.size(); ++k) {
       for (int i = 0; i < 4; ++i) {
         const CellId n = mesh_.neighbor(zone[k], i);
-        if (std::ranges::find(zone, n) != zone.end() || sees(p, {zone[k], i})) continue;
-        if (n == kNoId || mesh_.is_wall({zone[k], i}) || zone.size() == kMostAround) return kNoId;
+        if (std::ranges::find(zone, n) != zone.end() || sees(p, {zone[k], i}, hardly)) continue;
+        if (n == kNoId || mesh_.is_wall({zone[k], i}) || zone.size() == kMostInZone) return kNoId;
         zone.push_back(n);
       }
     }
     return keeps_edges(zone) ? star_from(mesh_, p, zone, 0) : VertexId(kNoId);
   }
 
-  bool sees(const Vec3& p, Facet f) const {
+  bool sees(const Vec3& p, Facet f, double hardly) const {
     const Tetrahedron& v = mesh_.corners(f.cell);
     const auto& i = kFacetVertices[f.index];
-    return shape(at(v[i[2]]), at(v[i[1]]), at(v[i[0]]), p) > kHardly;
+    return shape(at(v[i[2]]), at(v[i[1]]), at(v[i[0]]), p) > hardly;
   }
 
   // True if every wall's edge of the zone's cells is on the zone's boundary.
