@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/cancel.h"
 #include "delaunay/hilbert.h"
 #include "exact/predicates.h"
 #include "more/solids/moves.h"
@@ -166,6 +167,7 @@ std::size_t insert_points(CellMesh& mesh, std::span<const Vec3> points) {
   Insertion insertion(mesh);
   std::size_t inserted = 0;
   for (std::uint32_t k : biased_hilbert_order(points)) {
+    throw_if_canceled();
     if (insertion.insert(points[k]) != kNoId) ++inserted;
   }
   return inserted;

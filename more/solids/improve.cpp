@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/cancel.h"
 #include "more/solids/moves.h"
 #include "more/solids/quality.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr std::array<std::array<int, 2>, 6> kEdges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 constexpr double kGain = 1e-9;       // a change below it is none
-constexpr double kGainOfPoint = 1e-3;  // of a change that adds a vertex
+constexpr double kGainOfPoint = 2e-2;  // of a change that adds a vertex
 
 class Improvement {
  public:
@@ -33,6 +34,7 @@ class Improvement {
     }
     const CellId end(mesh_.cell_capacity());
     for (CellId c = 0; c < end; ++c) {
+      throw_if_canceled();
       if (is_below(c, wanted)) change(c, may_merge, may_split);
     }
   }

@@ -96,10 +96,16 @@ Solid solid_of(const CellMesh& mesh, std::vector<Wall> walls, std::size_t given,
 }  // namespace
 
 Solid make_solid(const Skin& skin, const SolidOptions& options) {
-  CellMesh mesh = delaunay_cells(skin.points);
-  std::vector<Wall> walls = skin.walls;
-  const RecoveryCounts recovery = recover(mesh, walls);
-  if (recovery.lost > 0) throw SkinError("it crosses itself");
+  const CellMesh delaunay = delaunay_cells(skin.points);
+  CellMesh mesh = delaunay;
+  std::vector<Wall> walls;
+  RecoveryCounts recovery;
+  for (int turn = 0; turn == 0 || recovery.lost > 0; ++turn) {
+    if (turn == kRecoveryTurns) throw SkinError("it crosses itself");
+    if (turn > 0) mesh = delaunay;
+    walls = skin.walls;
+    recovery = recover(mesh, walls, turn);
+  }
   if (!set_regions(mesh, walls)) throw SkinError("it is not closed, or its sides do not agree");
   const VertexId first_inner(mesh.points.size());
   if (options.fills) {

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "base/cancel.h"
 #include "exact/predicates.h"
 #include "more/solids/moves.h"
 #include "more/solids/quality.h"
@@ -26,7 +27,8 @@ struct Crossing {
 
 class Recovery {
  public:
-  Recovery(CellMesh& mesh, std::span<const Wall> walls) : mesh_(mesh), walls_(walls) {}
+  Recovery(CellMesh& mesh, std::span<const Wall> walls, int turn)
+      : mesh_(mesh), walls_(walls), is_reversed_(turn % 2 == 1), share_cut_(turn < 2 ? 8 : 64) {}
 
   void run() {
     for (WallId w = 0; w < walls_.size(); ++w) {
@@ -35,15 +37,20 @@ class Recovery {
       require(w);
     }
     counts_.missing_edges = edges_.size();
+    if (is_reversed_) {
+      std::ranges::reverse(edges_);
+      std::ranges::reverse(missing_);
+    }
     while (!edges_.empty() || !missing_.empty()) {
+      throw_if_canceled();
       // What moves can do, as long as they do something; then a few cuts.
       if (recover_by_moves()) continue;
-      for (std::size_t n = edges_.size() / kShareCut + !edges_.empty(); n > 0; --n) {
+      for (std::size_t n = edges_.size() / share_cut_ + !edges_.empty(); n > 0; --n) {
         const auto [a, b] = edges_.front();
         edges_.pop_front();
         if (!recover_edge(a, b) && !cut_edge(a, b) && !cut_edge(b, a)) ++counts_.lost;
       }
-      for (std::size_t n = edges_.empty() ? missing_.size() / kShareCut + 1 : 0; n > 0; --n) {
+      for (std::size_t n = edges_.empty() ? missing_.size() / share_cut_ + 1 : 0; n > 0; --n) {
         const WallId w = missing_.front();
         missing_.pop_front();
         if (!recover_wall(w) && !cut_wall(w)) ++counts_.lost;
@@ -64,8 +71,6 @@ class Recovery {
   // Tries before an edge or a wall is cut.
   static constexpr int kMostTries = 24;
   static constexpr std::size_t kMostInZone = 24;
-  // Of the edges or walls that moves leave, one in as many is cut before moves are tried again.
-  static constexpr std::size_t kShareCut = 8;
   // Parts of a wall are turned only if their areas are more than this share of it.
   static constexpr double kFlat = 1e-9;
 
@@ -351,6 +356,9 @@ class Recovery {
 
   CellMesh& mesh_;
   WallTable walls_;
+  bool is_reversed_;
+  // Of the edges or walls that moves leave, one in as many is cut before moves are tried again.
+  std::size_t share_cut_;
   RecoveryCounts counts_;
   std::deque<std::pair<VertexId, VertexId>> edges_;
   std::deque<WallId> missing_;
@@ -360,8 +368,8 @@ class Recovery {
 
 }  // namespace
 
-RecoveryCounts recover(CellMesh& mesh, std::vector<Wall>& walls) {
-  Recovery recovery(mesh, walls);
+RecoveryCounts recover(CellMesh& mesh, std::vector<Wall>& walls, int turn) {
+  Recovery recovery(mesh, walls, turn);
   recovery.run();
   walls = recovery.walls();
   return recovery.counts();

@@ -19,6 +19,8 @@
 namespace deliso {
 
 // Marks the walls of the mesh. `walls` become those that it has, as parts of the given ones.
-RecoveryCounts recover(CellMesh& mesh, std::vector<Wall>& walls);
+// What is cut depends on the order in which edges are taken; `turn` chooses another one.
+RecoveryCounts recover(CellMesh& mesh, std::vector<Wall>& walls, int turn = 0);
+inline constexpr int kRecoveryTurns = 4;
 
 }  // namespace deliso
