@@ -148,8 +148,8 @@ bool set_regions(CellMesh& mesh, std::span<const Wall> walls) {
       ++i;
     const auto& at = mesh.points;
     // A wall is counter-clockwise seen from in front.
-    const bool is_in_front = orient3d(at[wall.v[0]], at[wall.v[1]], at[wall.v[2]],
-                                      at[mesh.corners(c)[i]]) > 0;
+    const bool is_in_front =
+        orient3d(at[wall.v[0]], at[wall.v[1]], at[wall.v[2]], at[mesh.corners(c)[i]]) > 0;
     reach(c, is_in_front ? wall.front : wall.behind);
     reach(mesh.neighbor(c, i), is_in_front ? wall.behind : wall.front);
     while (!queue.empty()) {

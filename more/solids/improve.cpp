@@ -14,8 +14,9 @@
 namespace deliso {
 namespace {
 
-constexpr std::array<std::array<int, 2>, 6> kEdges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-constexpr double kGain = 1e-9;       // a change below it is none
+constexpr std::array<std::array<int, 2>, 6> kEdges{
+    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+constexpr double kGain = 1e-9;         // a change below it is none
 constexpr double kGainOfPoint = 2e-2;  // of a change that adds a vertex
 
 class Improvement {
@@ -48,7 +49,8 @@ class Improvement {
     const Tetrahedron v = mesh_.corners(c);
     for (const auto& [i, k] : kEdges) {
       find_ring(mesh_, c, v[i], v[k], ring_);
-      if (!ring_.has_wall && remove_edge(mesh_, ring_, least_shape(mesh_, ring_.cells) + kGain)) return;
+      if (!ring_.has_wall && remove_edge(mesh_, ring_, least_shape(mesh_, ring_.cells) + kGain))
+        return;
     }
     for (int i = 0; i < 4; ++i) {
       const CellId n = mesh_.neighbor(c, i);

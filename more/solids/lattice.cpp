@@ -35,21 +35,20 @@ class Octree {
     const Vec3 middle = place(corner, .5 * cells);
     const double length = wanted_length(middle, near);
     if (level == kMostLevels || side <= kSide * length) {
-      add(middle, side, near);
+      if (is_free(middle, side, near)) points_.push_back(middle);
       for (int k = 0; k < 8; ++k) {
         const std::array<std::uint32_t, 3> at{corner[0] + (k & 1) * cells,
                                               corner[1] + (k >> 1 & 1) * cells,
                                               corner[2] + (k >> 2) * cells};
-        if (corners_.insert(key(at)).second) add(place(at, 0), side, near);
+        if (is_free(place(at, 0), side, near)) corners_.push_back(at);
       }
       return;
     }
     std::vector<SizedPoint> kept;
     for (int k = 0; k < 8; ++k) {
       const std::uint32_t half = cells / 2;
-      const std::array<std::uint32_t, 3> at{corner[0] + (k & 1) * half,
-                                            corner[1] + (k >> 1 & 1) * half,
-                                            corner[2] + (k >> 2) * half};
+      const std::array<std::uint32_t, 3> at{
+          corner[0] + (k & 1) * half, corner[1] + (k >> 1 & 1) * half, corner[2] + (k >> 2) * half};
       const Vec3 m = place(at, .5 * half);
       // Half a diagonal away, lengths differ by growth times that at most.
       const double reach = options_.growth * side * .8661;
@@ -63,12 +62,15 @@ class Octree {
     }
   }
 
-  std::vector<Vec3> points;
+  // Returns the middles, then the corners, each once: cubes have corners in common.
+  std::vector<Vec3> points() {
+    std::ranges::sort(corners_);
+    corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+    for (const auto& at : corners_) points_.push_back(place(at, 0));
+    return std::move(points_);
+  }
 
  private:
-  static std::uint64_t key(const std::array<std::uint32_t, 3>& at) {
-    return std::uint64_t{at[0]} << 42 | std::uint64_t{at[1]} << 21 | at[2];
-  }
   Vec3 place(const std::array<std::uint32_t, 3>& at, double beside) const {
     const double unit = side_ / (1u << kMostLevels);
     return origin_ + unit * Vec3{at[0] + beside, at[1] + beside, at[2] + beside};
@@ -81,18 +83,19 @@ class Octree {
     for (const SizedPoint& s : near) least = std::min(least, length_from(s, x));
     return least;
   }
-  void add(const Vec3& x, double side, std::span<const SizedPoint> near) {
+  // True if x is not too near to the surface for the edges there.
+  bool is_free(const Vec3& x, double side, std::span<const SizedPoint> near) const {
     const double edge = std::min(.87 * side, 1.3 * wanted_length(x, near));
-    for (const SizedPoint& s : near) {
-      if (distance2(s.p, x) < kClearance * kClearance * edge * edge) return;
-    }
-    points.push_back(x);
+    return std::ranges::none_of(near, [&](const SizedPoint& s) {
+      return distance2(s.p, x) < kClearance * kClearance * edge * edge;
+    });
   }
 
   LatticeOptions options_;
   double side_;
   Vec3 origin_;
-  std::unordered_set<std::uint64_t> corners_;
+  std::vector<Vec3> points_;
+  std::vector<std::array<std::uint32_t, 3>> corners_;  // in cubes of the deepest level
 };
 
 }  // namespace
@@ -104,7 +107,7 @@ std::vector<Vec3> lattice_points(std::span<const SizedPoint> surface,
   for (const SizedPoint& s : surface) box = united(box, {s.p, s.p});
   Octree tree(box, options);
   tree.divide({0, 0, 0}, 0, surface);
-  return std::move(tree.points);
+  return tree.points();
 }
 
 }  // namespace deliso

@@ -70,8 +70,8 @@ bool remove_edge(CellMesh& mesh, const Ring& ring, double floor, const MayJoin& 
   std::array<std::array<double, kMostAround>, kMostAround> best;
   std::array<std::array<int, kMostAround>, kMostAround> via;
   const auto cells_of = [&](int i, int j, int k) {
-    return std::array<Tetrahedron, 2>{{{ring.v[i], ring.v[j], ring.v[k], ring.b},
-                                   {ring.v[k], ring.v[j], ring.v[i], ring.a}}};
+    return std::array<Tetrahedron, 2>{
+        {{ring.v[i], ring.v[j], ring.v[k], ring.b}, {ring.v[k], ring.v[j], ring.v[i], ring.a}}};
   };
   for (int i = 0; i + 1 < n; ++i) best[i][i + 1] = std::numeric_limits<double>::infinity();
   for (int sides = 2; sides < n; ++sides) {

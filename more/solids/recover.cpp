@@ -28,7 +28,11 @@ struct Crossing {
 class Recovery {
  public:
   Recovery(CellMesh& mesh, std::span<const Wall> walls, int turn)
-      : mesh_(mesh), walls_(walls), is_reversed_(turn % 2 == 1), share_cut_(turn < 2 ? 8 : 64) {}
+      : mesh_(mesh),
+        walls_(walls),
+        most_cuts_(1000 + walls.size() / 10),
+        is_reversed_(turn % 2 == 1),
+        share_cut_(turn < 2 ? 8 : 64) {}
 
   void run() {
     for (WallId w = 0; w < walls_.size(); ++w) {
@@ -43,6 +47,10 @@ class Recovery {
     }
     while (!edges_.empty() || !missing_.empty()) {
       throw_if_canceled();
+      if (counts_.cut_edges + counts_.cut_walls > most_cuts_) {
+        counts_.lost += edges_.size() + missing_.size();
+        return;
+      }
       // What moves can do, as long as they do something; then a few cuts.
       if (recover_by_moves()) continue;
       for (std::size_t n = edges_.size() / share_cut_ + !edges_.empty(); n > 0; --n) {
@@ -131,7 +139,8 @@ class Recovery {
     const Facet f = crossing->facet;
     std::array<VertexId, 3> v;
     for (int k = 0; k < 3; ++k) v[k] = mesh_.corners(f.cell)[kFacetVertices[f.index][k]];
-    if (crossing->edge >= 0) return remove_between(v[crossing->edge], v[(crossing->edge + 1) % 3], 0);
+    if (crossing->edge >= 0)
+      return remove_between(v[crossing->edge], v[(crossing->edge + 1) % 3], 0);
     if (remove_facet(mesh_, f, 0)) return true;
     for (int k = 0; k < 3; ++k) {
       if (remove_between(v[k], v[(k + 1) % 3], 0)) return true;
@@ -155,7 +164,8 @@ class Recovery {
     const double of_a = dot(normal, cross(across, at(a) - at(u)));
     const double of_b = dot(normal, cross(across, at(b) - at(u)));
     const double least = kFlat * length2(normal);
-    if (std::min(std::fabs(of_a), std::fabs(of_b)) <= least || (of_a > 0) == (of_b > 0)) return false;
+    if (std::min(std::fabs(of_a), std::fabs(of_b)) <= least || (of_a > 0) == (of_b > 0))
+      return false;
     std::array<Wall, 2> turned{walls_[parts[0]], walls_[parts[0]]};
     std::ranges::replace(turned[0].v, b, v);
     std::ranges::replace(turned[1].v, a, v);
@@ -190,8 +200,9 @@ class Recovery {
     return edges_.size() < edges || missing_.size() < missing;
   }
 
-  // Puts a vertex at p, which lies in or at the cell: in place of it, and of its neighbors as long as
-  // a facet does not see p, or hardly does. Returns the vertex; kNoId where walls are in the way.
+  // Puts a vertex at p, which lies in or at the cell: in place of it, and of its neighbors as long
+  // as a facet does not see p, or hardly does. Returns the vertex; kNoId where walls are in the
+  // way.
   VertexId insert_at(const Vec3& p, CellId start) {
     for (double hardly : {1e-9, 1e-13, 0.}) {
       const VertexId x = insert_at(p, start, hardly);
@@ -233,16 +244,16 @@ class Recovery {
     for (CellId c : zone) {
       for (int i = 0; i < 4; ++i) {
         if (std::ranges::find(zone, mesh_.neighbor(c, i)) != zone.end()) continue;
-        for_each_edge(mesh_.corners(c), i, [&](VertexId u, VertexId w) {
-          outer.push_back(std::minmax(u, w));
-        });
+        for_each_edge(mesh_.corners(c), i,
+                      [&](VertexId u, VertexId w) { outer.push_back(std::minmax(u, w)); });
       }
     }
     bool kept = true;
     for (CellId c : zone) {
       for_each_edge(mesh_.corners(c), -1, [&](VertexId u, VertexId w) {
         if (walls_.has_edge(u, w) &&
-            std::ranges::find(outer, std::pair<VertexId, VertexId>(std::minmax(u, w))) == outer.end())
+            std::ranges::find(outer, std::pair<VertexId, VertexId>(std::minmax(u, w))) ==
+                outer.end())
           kept = false;
       });
     }
@@ -356,6 +367,8 @@ class Recovery {
 
   CellMesh& mesh_;
   WallTable walls_;
+  // Rounded edges that nearly touch may cut each other for ever: then another order is tried.
+  std::size_t most_cuts_;
   bool is_reversed_;
   // Of the edges or walls that moves leave, one in as many is cut before moves are tried again.
   std::size_t share_cut_;

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <unordered_map>
-#include <utility>
+#include <cstddef>
+#include <iterator>
+#include <span>
 #include <vector>
 
 #include "more/solids/skin.h"
@@ -19,7 +19,6 @@ using WallId = Id<struct WallTag>;
 class WallTable {
  public:
   explicit WallTable(std::span<const Wall> walls) {
-    first_.reserve(2 * walls.size());
     for (const Wall& wall : walls) add(wall, WallId(walls_.size()));
   }
 
@@ -32,21 +31,15 @@ class WallTable {
 
   WallId add(const Wall& wall, WallId whole) {
     const WallId w(walls_.size());
-    walls_.push_back({wall, {}, whole});
-    for (int i = 0; i < 3; ++i) {
-      const auto [entry, is_new] = first_.try_emplace(edge(w, i), kNone);
-      walls_[w].next[i] = std::exchange(entry->second, 3 * w.number() + i);
+    walls_.push_back({wall, whole});
+    for (VertexId v : wall.v) {
+      if (at_vertex_.size() <= v) at_vertex_.resize(v + 1);
+      at_vertex_[v].push_back(w);
     }
     return w;
   }
   void remove(WallId w) {
-    for (int i = 0; i < 3; ++i) {
-      const auto entry = first_.find(edge(w, i));
-      std::uint32_t* link = &entry->second;
-      while (*link != 3 * w.number() + i) link = &walls_[WallId(*link / 3)].next[*link % 3];
-      *link = walls_[w].next[i];
-      if (entry->second == kNone) first_.erase(entry);
-    }
+    for (VertexId v : walls_[w].wall.v) std::erase(at_vertex_[v], w);
     walls_[w].wall.v[0] = kNoId;
   }
   // Puts two walls in the place of w: x in the place of one end of its edge a b, and of the other.
@@ -59,35 +52,30 @@ class WallTable {
     return {add(first, whole), add(second, whole)};
   }
 
-  bool has_edge(VertexId a, VertexId b) const { return first_.contains(key(a, b)); }
+  bool has_edge(VertexId a, VertexId b) const {
+    return a < at_vertex_.size() &&
+           std::ranges::any_of(at_vertex_[a], [&](WallId w) { return has(w, b); });
+  }
   std::vector<WallId> at_edge(VertexId a, VertexId b) const {
     std::vector<WallId> walls;
-    const auto entry = first_.find(key(a, b));
-    if (entry == first_.end()) return walls;
-    for (std::uint32_t link = entry->second; link != kNone;) {
-      walls.emplace_back(link / 3);
-      link = walls_[walls.back()].next[link % 3];
-    }
+    if (a >= at_vertex_.size()) return walls;
+    std::ranges::copy_if(at_vertex_[a], std::back_inserter(walls),
+                         [&](WallId w) { return has(w, b); });
     return walls;
   }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffu;
   struct Entry {
     Wall wall;
-    std::array<std::uint32_t, 3> next;  // 3 * wall + edge; edge i runs from v[i] to the next
     WallId whole;
   };
-  static std::uint64_t key(VertexId a, VertexId b) {
-    if (b < a) std::swap(a, b);
-    return std::uint64_t{a} << 32 | b;
-  }
-  std::uint64_t edge(WallId w, int i) const {
-    return key(walls_[w].wall.v[i], walls_[w].wall.v[(i + 1) % 3]);
+  bool has(WallId w, VertexId v) const {
+    const auto& corners = walls_[w].wall.v;
+    return corners[0] == v || corners[1] == v || corners[2] == v;
   }
 
   IdArray<WallId, Entry> walls_;
-  std::unordered_map<std::uint64_t, std::uint32_t> first_;
+  IdArray<VertexId, std::vector<WallId>> at_vertex_;
 };
 
 }  // namespace deliso
