@@ -3,6 +3,7 @@
 // each operation put in, and for what reasons. The trace also has the triangles that every event
 // takes out and puts in; added up, they are the mesh.
 // Usage: watch_run [VOLUME [ISOVALUE]]
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <iomanip>
@@ -54,7 +55,8 @@ void watch(const std::string& input, double isovalue) {
   const deliso::TraceArrays& events = trace.arrays();
   std::map<std::pair<std::size_t, std::size_t>, int> vertices;  // by routine and reason
   for (std::size_t e = 0; e < trace.size(); ++e) {
-    if (events.routine[e] < kRoutines) {  // makes all triangles at once
+    if (events.routine[e] < kRoutines) {          // puts no vertex in
+      if (std::isnan(events.value[e])) continue;  // a removal of many
       std::cout << std::left << std::setw(46) << name_of_routine(events.routine[e]) << std::right
                 << std::setw(6) << events.value[e] << " triangles\n";
     }
