@@ -49,7 +49,7 @@ void TraceRecorder::coarsened(Operation operation, VertexId v, std::span<const F
     if (operation == Operation::removal)
       begin(Routine::remove_vertices, trace_code(Reason::unneeded));
     if (operation == Operation::move)
-      begin(Routine::move_vertices, trace_code(PaperReason::off_middle));
+      begin(Routine::move_vertices, trace_code(PaperReason::off_the_middle));
     if (operation == Operation::flip)
       begin(Routine::flip_edges, trace_code(PaperReason::wide_angles));
   }

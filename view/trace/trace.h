@@ -62,7 +62,7 @@ enum class PaperReason : std::uint8_t {
   triple,
   boundary,
   no_area,
-  off_middle,
+  off_the_middle,
   wide_angles,
   count_
 };

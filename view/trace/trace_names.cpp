@@ -135,7 +135,7 @@ ReasonName name_of(PaperReason reason) {
             "corners of a facet of K lie on one line; value: distance of the vertex inserted from "
             "its "
             "site"}},
-          {PaperReason::off_middle,
+          {PaperReason::off_the_middle,
            {"off the middle", "the vertices are not in the middles of their stars"}},
           {PaperReason::wide_angles,
            {"wide angles", "the angles across the edges sum to more than 180 degrees"}},
