@@ -34,7 +34,7 @@ std::vector<RegionLabel> labels_of(std::span<const Sides> sides) {
     }
   }
   std::ranges::sort(all);
-  all.erase(std::ranges::unique(all).begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   std::vector<RegionLabel> labels;
   for (const std::int64_t label : all) labels.push_back({label});
   return labels;
@@ -66,10 +66,11 @@ void find_ends(const ClosedSurface& skin, const CleanMesh& clean, Faults& faults
     around.clear();
     for (const EdgeUse& use : edge) {
       const Wall& wall = skin.walls[clean.id[use.triangle]];
-      around.push_back({wall.behind, use.forward ? 1 : -1});
-      around.push_back({wall.front, use.forward ? -1 : 1});
+      around.emplace_back(wall.behind, use.forward ? 1 : -1);
+      around.emplace_back(wall.front, use.forward ? -1 : 1);
     }
-    for (const auto& [region, way] : around) {
+    for (const auto& side : around) {
+      const RegionId region = side.first;
       int sum = 0;
       for (const auto& [other, step] : around) sum += other == region ? step : 0;
       if (sum == 0 || region == kOutside) continue;

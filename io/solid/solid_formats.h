@@ -19,6 +19,7 @@ namespace deliso {
 struct WallKind {
   std::uint32_t kind;
   RegionId front, behind;
+  // NOLINTNEXTLINE(modernize-use-nullptr): the comparison has no pointer.
   friend auto operator<=>(const WallKind&, const WallKind&) = default;
 };
 

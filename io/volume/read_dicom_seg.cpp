@@ -203,20 +203,21 @@ Volume read_dicom_segmentation(const VolumeInput& input, const DicomFile& file) 
 // as the whole numbers that went in, and with ICC's D50 up to 59 off. A color that sRGB does not
 // have is cut off.
 std::array<std::uint8_t, 3> srgb_of_cielab(const std::array<std::uint16_t, 3>& scaled) {
-  constexpr Vec3 kWhite{0.95047, 1, 1.08883};
-  constexpr std::array<Vec3, 3> kRows{{{3.2404542, -1.5371385, -0.4985314},
-                                       {-0.9692660, 1.8760108, 0.0415560},
-                                       {0.0556434, -0.2040259, 1.0572252}}};
+  constexpr Vec3 kWhiteOfSrgb{0.95047, 1, 1.08883};
+  constexpr std::array<Vec3, 3> kSrgbOfXyz{{{3.2404542, -1.5371385, -0.4985314},
+                                            {-0.9692660, 1.8760108, 0.0415560},
+                                            {0.0556434, -0.2040259, 1.0572252}}};
   const auto [l, a, b] = scaled;
   const double y = (l * 100 / 65535.0 + 16) / 116;
   const auto share = [](double t) {
     return t > 6.0 / 29 ? t * t * t : 108.0 / 841 * (t - 4.0 / 29);
   };
-  const Vec3 xyz{kWhite.x * share(y + (a * 255 / 65535.0 - 128) / 500), kWhite.y * share(y),
-                 kWhite.z * share(y - (b * 255 / 65535.0 - 128) / 200)};
+  const Vec3 xyz{kWhiteOfSrgb.x * share(y + (a * 255 / 65535.0 - 128) / 500),
+                 kWhiteOfSrgb.y * share(y),
+                 kWhiteOfSrgb.z * share(y - (b * 255 / 65535.0 - 128) / 200)};
   std::array<std::uint8_t, 3> color{};
   for (std::size_t n = 0; n < color.size(); ++n) {
-    const double linear = std::clamp(dot(kRows[n], xyz), 0.0, 1.0), third = cube_root(linear);
+    const double linear = std::clamp(dot(kSrgbOfXyz[n], xyz), 0.0, 1.0), third = cube_root(linear);
     const double curved =
         linear <= 0.0031308 ? 12.92 * linear : 1.055 * third * std::sqrt(std::sqrt(third)) - 0.055;
     color[n] = static_cast<std::uint8_t>(std::lround(255 * curved));

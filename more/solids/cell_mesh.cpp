@@ -96,7 +96,7 @@ bool CellMesh::replace_ball(std::span<const CellId> gone, std::span<const Tetrah
   last_created_.clear();
   for (const Tetrahedron& v : created) {
     if (free_.empty()) {
-      free_.push_back(CellId(cells_.size()));
+      free_.emplace_back(cells_.size());
       cells_.emplace_back();
       marks_.push_back(0);
     }

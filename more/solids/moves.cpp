@@ -97,8 +97,8 @@ bool remove_edge(CellMesh& mesh, const Ring& ring, double floor, const MayJoin& 
     if (k - i < 2) continue;
     const int j = via[i][k];
     for (const Tetrahedron& v : cells_of(i, j, k)) created.push_back(v);
-    polygons.push_back({i, j});
-    polygons.push_back({j, k});
+    polygons.emplace_back(i, j);
+    polygons.emplace_back(j, k);
   }
   return mesh.replace_ball(ring.cells, created);
 }

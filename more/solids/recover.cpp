@@ -101,7 +101,7 @@ class Recovery {
     const auto& v = walls_[w].v;
     for (int i = 0; i < 3; ++i) {
       const VertexId a = v[i], b = v[(i + 1) % 3];
-      if (mesh_.cell_with(a, b) == kNoId) edges_.push_back({std::min(a, b), std::max(a, b)});
+      if (mesh_.cell_with(a, b) == kNoId) edges_.emplace_back(std::min(a, b), std::max(a, b));
     }
     missing_.push_back(w);
   }
@@ -190,7 +190,7 @@ class Recovery {
     for (std::size_t n = edges; n > 0; --n) {
       const auto [a, b] = edges_.front();
       edges_.pop_front();
-      if (!recover_edge(a, b)) edges_.push_back({a, b});
+      if (!recover_edge(a, b)) edges_.emplace_back(a, b);
     }
     for (std::size_t n = edges_.empty() ? missing_.size() : 0; n > 0; --n) {
       const WallId w = missing_.front();
@@ -244,8 +244,9 @@ class Recovery {
     for (CellId c : zone) {
       for (int i = 0; i < 4; ++i) {
         if (std::ranges::find(zone, mesh_.neighbor(c, i)) != zone.end()) continue;
-        for_each_edge(mesh_.corners(c), i,
-                      [&](VertexId u, VertexId w) { outer.push_back(std::minmax(u, w)); });
+        for_each_edge(mesh_.corners(c), i, [&](VertexId u, VertexId w) {
+          outer.emplace_back(std::min(u, w), std::max(u, w));
+        });
       }
     }
     bool kept = true;
