@@ -36,6 +36,7 @@ std::vector<RegionLabel> labels_of(std::span<const Sides> sides) {
   std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end()), all.end());
   std::vector<RegionLabel> labels;
+  labels.reserve(all.size());
   for (const std::int64_t label : all) labels.push_back({label});
   return labels;
 }
