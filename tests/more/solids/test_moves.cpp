@@ -295,3 +295,30 @@ TEST_CASE("the shape is the least sine of the dihedral angles") {
   // A flat angle, which has a small sine too.
   CHECK(shape({0, 0, 0}, {2, 0, 0}, {1, .01, 1}, {1, .02, -1}) < .05);
 }
+
+TEST_CASE("the shape is the least sine of the six dihedral angles") {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::array<Vec3, 4> p;
+    for (Vec3& corner : p) corner = {random.uniform(), random.uniform(), .2 * random.uniform()};
+    if (orient3d(p[0], p[1], p[2], p[3]) < 0) std::swap(p[2], p[3]);
+    double least = 1;
+    for (int i = 0; i < 4; ++i) {
+      for (int k = i + 1; k < 4; ++k) {
+        // The other two corners, seen along the edge.
+        const Vec3 axis = p[k] - p[i];
+        std::array<Vec3, 2> beside;
+        for (int n = 0, c = 0; n < 4; ++n) {
+          if (n == i || n == k) continue;
+          const Vec3 to = p[n] - p[i];
+          beside[c++] = to - dot(to, axis) / length2(axis) * axis;
+        }
+        const double cosine = cosine_between(beside[0], beside[1]);
+        least = std::min(least, std::sqrt(1 - cosine * cosine));
+      }
+    }
+    CHECK(shape(p[0], p[1], p[2], p[3]) == doctest::Approx(least).epsilon(1e-6));
+    CHECK(shape(p[1], p[0], p[2], p[3]) < 0);
+  }
+}
