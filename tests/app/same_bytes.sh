@@ -50,6 +50,11 @@ done
 # (contour/voxel_topology.h); another compiler tells.
 same builtin:noise:16 --spacing 1,1,4
 same builtin:noise:16 --spacing 4,1,1
+# Solids.
+for field in fuel noise; do
+  "$deliso" builtin:$field:16 --cap -q -o skin.ply
+  same solid skin.ply --format mesh
+done
 # With an odd number of samples the sum of sines is 0 at some of them, but for rounding.
 for size in 24 41 81; do same builtin:gyroid:$size --max-distance 0.3vox; done
 
