@@ -37,7 +37,8 @@ using MayJoin = std::function<bool(VertexId, VertexId)>;
 bool remove_edge(CellMesh& mesh, const Ring& ring, double floor, const MayJoin& may_join = {});
 bool remove_facet(CellMesh& mesh, Facet f, double floor);
 // Puts in the place of `zone` a cell for each facet of its boundary, to a new vertex at p. Returns
-// the vertex, or kNoId if a shape is not over the floor.
+// the vertex, or kNoId if a shape is not over the floor. A vertex inside the zone is of no cell
+// then.
 VertexId star_from(CellMesh& mesh, const Vec3& p, std::span<const CellId> zone, double floor);
 
 }  // namespace deliso
