@@ -123,7 +123,9 @@ TEST_CASE("cubes that touch, and one with a cavity, are filled") {
     }
     return std::pair(points, triangles);
   };
-  auto [points, triangles] = cube(0, 0, 1, 0, false);
+  std::pair<std::string, std::vector<std::string>> cubes = cube(0, 0, 1, 0, false);
+  std::string& points = cubes.first;
+  std::vector<std::string>& triangles = cubes.second;
   const auto add = [&](const std::pair<std::string, std::vector<std::string>>& more) {
     points += more.first;
     triangles.insert(triangles.end(), more.second.begin(), more.second.end());

@@ -15,6 +15,7 @@
 #include "exact/predicates.h"
 #include "io/files/temporary_folder.h"
 #include "io/solid/write_solid.h"
+#include "mesh/tri_mesh.h"
 
 namespace deliso::test {
 
