@@ -53,13 +53,6 @@ std::uint32_t face_of(const TriMesh& mesh, const Triangle& t, const Box3& box) {
   return 0;
 }
 
-Box3 box_around(std::span<const Vec3> points) {
-  Box3 box;
-  if (!points.empty()) box = {points.front(), points.front()};
-  for (const Vec3& p : points) box = united(box, {p, p});
-  return box;
-}
-
 // Reports as holes the edges around which the regions do not follow each other.
 void find_ends(const ClosedSurface& skin, const CleanMesh& clean, Faults& faults) {
   std::vector<std::pair<RegionId, int>> around;
@@ -102,7 +95,7 @@ ClosedSurface closed_surface(const TriMesh& surface, const MeshNotes& notes) {
     const auto place = std::ranges::find(made.labels, label, &RegionLabel::number);
     return place == made.labels.end() ? kOutside : RegionId(place - made.labels.begin() + 1);
   };
-  const Box3 box = box_around(surface.points);
+  const Box3 box = surface.points.empty() ? Box3() : box_of(surface.points);
   const std::vector<VertexId> first = first_at_place(surface.points);
   IdArray<VertexId, VertexId> number(surface.points.size(), kNoId);
   for (FaceId f = 0; f < surface.faces.size(); ++f) {

@@ -247,12 +247,14 @@ DELISO_API deliso_status deliso_solid_create(const deliso_mesh* surface, const c
 DELISO_API void deliso_solid_free(deliso_solid* solid); /* null is allowed */
 
 /* Arrays and texts of the solid, which owns them. `count` may be null. A null solid has none.
- *   points     x, y, z of each: the surface's, then those where it was cut, then those inside
- *   cells      four numbers of points each: the first three run counterclockwise seen from the
- * fourth regions    of each cell its label; 1 of a surface without labels walls      three numbers
- * of points for each facet on the surface, counterclockwise seen from in front of the surface's
- * triangle kinds      of each wall 1 at the low end of x, 2 at the high end, 3, 4 of y, 5, 6 of z;
- * else 0 report     what the program writes with --json */
+ *
+ * - points: x, y, z of each: the surface's, then those where it was cut, then those inside
+ * - cells: four numbers of points each: the first three run counterclockwise seen from the fourth
+ * - regions: of each cell its label; 1 of a surface without labels
+ * - walls: three numbers of points for each facet on the surface, counterclockwise seen from in
+ *   front of the surface's triangle
+ * - kinds: of each wall 1 at the low end of x, 2 at the high end, 3, 4 of y, 5, 6 of z; else 0
+ * - report: what the program writes with --json */
 DELISO_API const double* deliso_solid_points(const deliso_solid* solid, size_t* count);
 DELISO_API const uint32_t* deliso_solid_cells(const deliso_solid* solid, size_t* count);
 DELISO_API const int64_t* deliso_solid_regions(const deliso_solid* solid, size_t* count);

@@ -92,8 +92,7 @@ struct Aim {
 inline double size_of(const TriMesh& mesh) {
   const std::vector<Vec3> points = mesh.world_points();
   if (points.empty()) return 0;
-  Box3 box{points[0], points[0]};
-  for (const Vec3& p : points) box = united(box, {p, p});
+  const Box3 box = box_of(points);
   return distance(box.lo, box.hi);
 }
 

@@ -49,16 +49,10 @@ double mean_size(const LabeledTriangles& mesh) {
   return std::sqrt(area / static_cast<double>(mesh.triangles.size()));
 }
 
-Box3 bounds(const std::vector<Vec3>& points) {
-  Box3 box{points.front(), points.front()};
-  for (const Vec3& p : points) box = united(box, {p, p});
-  return box;
-}
-
 class Regions {
  public:
   Regions(const LabeledTriangles& mesh, double cell)
-      : mesh_(mesh), box_(bounds(mesh.points)), grid_(box_, cell) {
+      : mesh_(mesh), box_(box_of(mesh.points)), grid_(box_, cell) {
     grid_.expect(mesh.triangles.size());
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
       grid_.add(static_cast<BoxGrid::Id>(f), grid_.box_of(mesh.points, mesh.triangles[f]));

@@ -146,13 +146,23 @@ void CellMesh::cells_at(VertexId v, std::vector<CellId>& star) const {
   }
 }
 
-CellId CellMesh::cell_with(VertexId a, VertexId b, VertexId c) const {
+CellId CellMesh::cell_with(VertexId a, VertexId b) const {
   cells_at(a, star_);
-  for (CellId cell : star_) {
+  const auto found =
+      std::ranges::find_if(star_, [&](CellId c) { return has_corner(cells_[c].v, b); });
+  return found == star_.end() ? CellId(kNoId) : *found;
+}
+
+Facet CellMesh::facet_with(VertexId a, VertexId b, VertexId c) const {
+  cells_at(a, star_);
+  for (const CellId cell : star_) {
     const Tetrahedron& v = cells_[cell].v;
-    if (has_corner(v, b) && (c == kNoId || has_corner(v, c))) return cell;
+    if (!has_corner(v, b) || !has_corner(v, c)) continue;
+    int i = 0;
+    while (v[i] == a || v[i] == b || v[i] == c) ++i;
+    return {cell, i};
   }
-  return kNoId;
+  return {};
 }
 
 }  // namespace deliso

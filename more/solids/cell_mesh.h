@@ -59,8 +59,15 @@ class CellMesh {
 
   // Sets `star` to the cells at v.
   void cells_at(VertexId v, std::vector<CellId>& star) const;
-  // Returns a cell with the corners a, b, and c unless it is kNoId; kNoId if there is none.
-  CellId cell_with(VertexId a, VertexId b, VertexId c = kNoId) const;
+  // Return a cell with these corners, and such a facet of one; cell kNoId if there is none.
+  CellId cell_with(VertexId a, VertexId b) const;
+  Facet facet_with(VertexId a, VertexId b, VertexId c) const;
+  // Returns the corners of f, counter-clockwise seen from outside f.cell.
+  std::array<VertexId, 3> corners(Facet f) const {
+    const Tetrahedron& v = cells_[f.cell].v;
+    const auto& i = kFacetVertices[f.index];
+    return {v[i[0]], v[i[1]], v[i[2]]};
+  }
 
  private:
   struct Cell {

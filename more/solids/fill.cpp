@@ -140,12 +140,8 @@ bool set_regions(CellMesh& mesh, std::span<const Wall> walls) {
     }
   };
   for (const Wall& wall : walls) {
-    const CellId c = mesh.cell_with(wall.v[0], wall.v[1], wall.v[2]);
+    const auto [c, i] = mesh.facet_with(wall.v[0], wall.v[1], wall.v[2]);
     if (c == kNoId) return false;
-    int i = 0;
-    while (wall.v[0] == mesh.corners(c)[i] || wall.v[1] == mesh.corners(c)[i] ||
-           wall.v[2] == mesh.corners(c)[i])
-      ++i;
     const auto& at = mesh.points;
     // A wall is counter-clockwise seen from in front.
     const bool is_in_front =

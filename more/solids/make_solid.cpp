@@ -17,9 +17,7 @@ namespace {
 // Returns the Delaunay triangulation of the points, and of four more around them, as cells.
 CellMesh delaunay_cells(const IdArray<VertexId, Vec3>& given) {
   IdArray<VertexId, Vec3> points = given;
-  Box3 box{points.front(), points.front()};
-  for (const Vec3& p : points) box = united(box, {p, p});
-  append_auxiliary(box, points);
+  append_auxiliary(box_of(given), points);
   Triangulation cells;
   std::vector<SiteId> sites;
   if (!cells.build(points, sites)) throw SkinError("its points lie in one plane");
@@ -96,13 +94,12 @@ Solid solid_of(const CellMesh& mesh, std::vector<Wall> walls, std::size_t given,
 }  // namespace
 
 Solid make_solid(const Skin& skin, const SolidOptions& options) {
-  const CellMesh delaunay = delaunay_cells(skin.points);
-  CellMesh mesh = delaunay;
+  CellMesh mesh = delaunay_cells(skin.points);
   std::vector<Wall> walls;
   RecoveryCounts recovery;
   for (int turn = 0; turn == 0 || recovery.lost > 0; ++turn) {
     if (turn == kRecoveryTurns) throw SkinError("it crosses itself, or nearly");
-    if (turn > 0) mesh = delaunay;
+    if (turn > 0) mesh = delaunay_cells(skin.points);
     walls = skin.walls;
     recovery = recover(mesh, walls, turn);
   }

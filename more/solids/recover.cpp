@@ -87,12 +87,9 @@ class Recovery {
   // Marks w as a wall of the mesh; returns whether it is a facet there.
   bool mark(WallId w) {
     const auto& [a, b, c] = walls_[w].v;
-    const CellId cell = mesh_.cell_with(a, b, c);
-    if (cell == kNoId) return false;
-    const Tetrahedron& v = mesh_.corners(cell);
-    for (int i = 0; i < 4; ++i) {
-      if (v[i] != a && v[i] != b && v[i] != c) mesh_.set_wall({cell, i});
-    }
+    const Facet f = mesh_.facet_with(a, b, c);
+    if (f.cell == kNoId) return false;
+    mesh_.set_wall(f);
     return true;
   }
 
@@ -110,8 +107,7 @@ class Recovery {
     mesh_.cells_at(a, star_);
     for (CellId c : star_) {
       const int i = corner_index(mesh_.corners(c), a);
-      std::array<VertexId, 3> v;
-      for (int k = 0; k < 3; ++k) v[k] = mesh_.corners(c)[kFacetVertices[i][k]];
+      const auto v = mesh_.corners(Facet{c, i});
       int zeros = 0, on = -1;
       bool is_within = true;
       for (int k = 0; k < 3 && is_within; ++k) {
@@ -137,8 +133,7 @@ class Recovery {
     const auto crossing = first_crossing(a, b);
     if (!crossing) return false;
     const Facet f = crossing->facet;
-    std::array<VertexId, 3> v;
-    for (int k = 0; k < 3; ++k) v[k] = mesh_.corners(f.cell)[kFacetVertices[f.index][k]];
+    const auto v = mesh_.corners(f);
     if (crossing->edge >= 0)
       return remove_between(v[crossing->edge], v[(crossing->edge + 1) % 3], 0);
     if (remove_facet(mesh_, f, 0)) return true;
@@ -226,9 +221,8 @@ class Recovery {
   }
 
   bool sees(const Vec3& p, Facet f, double hardly) const {
-    const Tetrahedron& v = mesh_.corners(f.cell);
-    const auto& i = kFacetVertices[f.index];
-    return shape(at(v[i[2]]), at(v[i[1]]), at(v[i[0]]), p) > hardly;
+    const auto [a, b, c] = mesh_.corners(f);
+    return shape(at(c), at(b), at(a), p) > hardly;
   }
 
   // True if every wall's edge of the zone's cells is on the zone's boundary.
@@ -266,8 +260,7 @@ class Recovery {
     const auto crossing = first_crossing(a, b);
     if (!crossing) return false;
     const Facet f = crossing->facet;
-    std::array<VertexId, 3> v;
-    for (int k = 0; k < 3; ++k) v[k] = mesh_.corners(f.cell)[kFacetVertices[f.index][k]];
+    const auto v = mesh_.corners(f);
     const double from_a = orient3d_value(at(v[0]), at(v[1]), at(v[2]), at(a));
     const double from_b = orient3d_value(at(v[0]), at(v[1]), at(v[2]), at(b));
     const Vec3 p = at(a) + from_a / (from_a - from_b) * (at(b) - at(a));

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "base/vec3.h"
 
@@ -39,6 +40,13 @@ inline Box3 united(const Box3& a, const Box3& b) {
 inline Box3 box_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
           {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
+}
+
+// Returns the bounding box of the points. pre: there are some.
+inline Box3 box_of(std::span<const Vec3> points) {
+  Box3 box{points.front(), points.front()};
+  for (const Vec3& p : points) box = united(box, {p, p});
+  return box;
 }
 
 // True if the boxes have a common point.

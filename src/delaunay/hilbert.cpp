@@ -45,8 +45,7 @@ std::vector<std::uint32_t> biased_hilbert_order(std::span<const Vec3> points) {
   static_assert(3 * kBits + std::bit_width(unsigned{kRounds - 1}) <= 64);
   if (points.empty()) return {};
 
-  Box3 box{points[0], points[0]};
-  for (const Vec3& p : points) box = united(box, {p, p});
+  const Box3 box = box_of(points);
   const double side = std::max({box.size().x, box.size().y, box.size().z});
   const auto grid = [&](double offset) {
     const double scaled = side > 0 ? offset / side * (1 << kBits) : 0;
