@@ -23,6 +23,7 @@
  *
  * Threads: calls in different threads do not disturb each other, on the same volume or mesh too. A
  * call itself works in as many threads as the option "threads" says. */
+/* NOLINTBEGIN(modernize-*,readability-identifier-naming): this is C, in C's style. */
 #ifndef DELISO_C_DELISO_H
 #define DELISO_C_DELISO_H
 
@@ -302,3 +303,4 @@ DELISO_API deliso_status deliso_join(const char* const* parts, const size_t* siz
 #endif
 
 #endif
+/* NOLINTEND(modernize-*,readability-identifier-naming) */
