@@ -19,7 +19,9 @@ namespace deliso {
 
 int run_solid(const CommandLine& line) {
   const Stopwatch total;
-  require_outputs(std::vector{line.output, line.json}, line.meshes);
+  std::vector<std::string> outputs = solid_files(line.output, line.solid.format);
+  outputs.push_back(line.json);
+  require_outputs(outputs, line.meshes);
   ProgressBar progress(solid_stages(), !line.quiet);
   progress.show("reading", 0);
   MeshNotes notes;

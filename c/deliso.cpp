@@ -480,6 +480,7 @@ deliso_status deliso_info_file(const char* path, double isovalue, const char* co
     } catch (const SeveralSeries& several) {
       if (line.read.series) throw;
       *json = copied(series_json(line.input, several.series));
+      tell(several.notes);
     }
     return true;
   });

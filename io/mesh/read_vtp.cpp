@@ -2,18 +2,12 @@
 // VTP: VTK's XML PolyData. Reads the points of its piece and the polygons. The array `connectivity`
 // has the corners of all polygons in order, `offsets` the end of each. The markup and the arrays
 // are in io/files/vtk_xml.h.
-#include <algorithm>
-
 #include "io/files/input_file.h"
 #include "io/files/vtk_xml.h"
 #include "io/mesh/mesh_parsers.h"
 
 namespace deliso {
 namespace {
-
-// The sections of a piece.
-constexpr std::string_view kSections[] = {"Points", "Polys",     "Verts",   "Lines",
-                                          "Strips", "PointData", "CellData"};
 
 class VtpParser {
  public:
@@ -52,16 +46,16 @@ class VtpParser {
         if (polygons_ > kMostFaces) fail(polygons_, " polygons are too many");
       } else if (tag.name == "/PolyData") {
         whole = true;
-      } else if (std::ranges::find(kSections, tag.name) != std::end(kSections)) {
-        inside = tag.name;
       } else if (tag.name == "Array" && tag.attribute("Name") == "SPACE") {
         space_ = tag;
-      } else if (tag.name == "DataArray" && inside == "Points") {
+      } else if (tag.name != "DataArray") {
+        if (!tag.name.starts_with('/')) inside = tag.name;
+      } else if (inside == "Points") {
         coordinates_ = tag;
-      } else if (tag.name == "DataArray" && inside == "Polys") {
+      } else if (inside == "Polys") {
         if (tag.attribute("Name") == "offsets") offsets_ = tag;
         if (tag.attribute("Name") == "connectivity") connectivity_ = tag;
-      } else if (tag.name == "DataArray" && inside == "CellData") {
+      } else if (inside == "CellData") {
         if (tag.attribute("Name") == "color") colors_ = tag;
         if (tag.attribute("Name") == "label_front") fronts_ = tag;
         if (tag.attribute("Name") == "label_behind") behinds_ = tag;
