@@ -16,7 +16,6 @@
 #include "app/info.h"
 #include "app/input.h"
 #include "app/mesh_run.h"
-#include "app/peak_memory.h"
 #include "app/run.h"
 #include "app/shared_labels.h"
 #include "base/check.h"
@@ -252,8 +251,7 @@ deliso_status deliso_mesh_shared(const deliso_volume* volume, const char* const*
     for (const SharedLabel& l : run.labels) {
       if (!l.name.empty()) made->names += text(l.label.label, " ", one_line(l.name), "\n");
     }
-    run.cost.peak_bytes = peak_memory_bytes();
-    run.cost.total = total.seconds();
+    run.cost.end(total.seconds());
     made->report = report_json(run);
     tell(run.notes);
     *mesh = made.release();

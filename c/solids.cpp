@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/peak_memory.h"
 #include "app/solid_run.h"
 #include "base/stopwatch.h"
 #include "c/call.h"
@@ -46,8 +45,7 @@ deliso_status deliso_solid_create(const deliso_mesh* surface, const char* const*
     WatchedProgress progress(solid_stages(), watch);
     SolidRun run{line};
     make_solid_of(tri_mesh_of(surface), notes_of(*surface), run, progress);
-    run.cost.peak_bytes = peak_memory_bytes();
-    run.cost.total = total.seconds();
+    run.cost.end(total.seconds());
     auto made = std::make_unique<deliso_solid>();
     made->report = report_json(run);
     made->write = run.write_options();
