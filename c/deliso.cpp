@@ -97,11 +97,6 @@ CommandLine line_of_all(std::vector<std::string> words, const deliso_volume& vol
   return line_of(std::move(words), volume, kNoIsovalue, options);
 }
 
-const deliso_mesh& mesh_or_empty(const deliso_mesh* mesh) {
-  static const deliso_mesh empty;
-  return mesh ? *mesh : empty;
-}
-
 std::vector<Vec3> read_vectors(const double* numbers, std::size_t count) {
   std::vector<Vec3> vectors;
   vectors.reserve(count);
@@ -260,7 +255,7 @@ deliso_status deliso_mesh_shared(const deliso_volume* volume, const char* const*
 }
 
 const int64_t* deliso_mesh_sides(const deliso_mesh* mesh, size_t* count) {
-  const auto& sides = mesh_or_empty(mesh).write.sides;
+  const auto& sides = or_empty(mesh).write.sides;
   if (count) *count = sides.size();
   return sides.empty() ? nullptr : sides.front().data();
 }
@@ -383,19 +378,19 @@ void deliso_mesh_free(deliso_mesh* mesh) {
 }
 
 const double* deliso_mesh_vertices(const deliso_mesh* mesh, size_t* count) {
-  return numbers_of<double>(mesh_or_empty(mesh).mesh.points, count);
+  return numbers_of<double>(or_empty(mesh).mesh.points, count);
 }
 
 const uint32_t* deliso_mesh_triangles(const deliso_mesh* mesh, size_t* count) {
-  return numbers_of<uint32_t>(mesh_or_empty(mesh).mesh.triangles, count);
+  return numbers_of<uint32_t>(or_empty(mesh).mesh.triangles, count);
 }
 
 const double* deliso_mesh_normals(const deliso_mesh* mesh, size_t* count) {
-  return numbers_of<double>(mesh_or_empty(mesh).normals, count);
+  return numbers_of<double>(or_empty(mesh).normals, count);
 }
 
 const char* deliso_mesh_report(const deliso_mesh* mesh) {
-  return mesh_or_empty(mesh).report.c_str();
+  return or_empty(mesh).report.c_str();
 }
 
 deliso_status deliso_mesh_save(const deliso_mesh* mesh, const char* path) {
