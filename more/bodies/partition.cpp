@@ -184,10 +184,26 @@ Volume Partition::difference(std::array<BodyId, 2> bodies, const SampleBox& box)
     }
     return Volume::from_samples(shape_.part(first, {2, 2, 2}), samples);
   }
-  for_each_place(box.begin, box.end, [&](Index3 at) {
-    samples.push_back(static_cast<float>(value(behind, at) - value(in_front, at)));
-  });
-  return Volume::from_samples(shape_.part(box.begin, box.dims()), samples);
+  const Grid block = shape_.part(box.begin, box.dims());
+  samples.resize(block.sample_count());
+  for (const float sign : {1.0F, -1.0F}) {
+    const Volume& f = fields_[sign > 0 ? behind : in_front];
+    const Index3 first = f.first(), end = first + f.dims();
+    Index3 lo, hi;  // of the samples in both
+    for (int axis = 0; axis < 3; ++axis) {
+      lo[axis] = std::max(box.begin[axis], first[axis]);
+      hi[axis] = std::min(box.end[axis], end[axis] - 1);
+    }
+    f.visit([&](const auto* values) {
+      for_each_place(lo, hi, [&](Index3 at) {
+        const std::size_t to = block.index(at.i - box.begin.i, at.j - box.begin.j,
+                                           at.k - box.begin.k),
+                          from = f.index(at.i - first.i, at.j - first.j, at.k - first.k);
+        samples[to] += sign * static_cast<float>(values[from]);
+      });
+    });
+  }
+  return Volume::from_samples(block, samples);
 }
 
 std::optional<Vec3> Partition::step_to_tie(const Vec3& p, std::span<const BodyId> bodies,
