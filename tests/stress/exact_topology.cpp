@@ -61,8 +61,9 @@ int compare_file(const char* path, double isovalue) {
     euler += euler_of_component;
     loops += loops_of_component;
   }
-  say(path, ": exactly ", expected ? expected->size() : 0, " components, Euler number ", euler, ", ",
-      loops, " boundary loops; the contour ", is_exact ? "has the same, one by one" : "differs");
+  say(path, ": exactly ", expected ? expected->size() : 0, " components, Euler number ", euler,
+      ", ", loops, " boundary loops; the contour ",
+      is_exact ? "has the same, one by one" : "differs");
   return is_exact ? 0 : 1;
 }
 
