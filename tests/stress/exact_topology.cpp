@@ -50,7 +50,7 @@ TinyVolume make_volume(std::uint64_t seed, WideKind& kind, bool& is_wide) {
 }
 
 // Compares the topology of a file's volume. Returns the exit status.
-int compare_file(const char* path, double isovalue) {
+int compare_file(const char* path, double isovalue) try {
   const Volume volume = read_volume(path);
   const double kappa = geometric_isovalue(volume.type(), isovalue);
   const auto expected = glue_voxels(volume, kappa);
@@ -65,6 +65,9 @@ int compare_file(const char* path, double isovalue) {
       ", ", loops, " boundary loops; the contour ",
       is_exact ? "has the same, one by one" : "differs");
   return is_exact ? 0 : 1;
+} catch (const InputError& error) {
+  say(error.what());
+  return 2;
 }
 
 }  // namespace
