@@ -19,7 +19,7 @@ class VtpParser {
     MeshParts mesh;
     for (const std::string_view comment : xml_.comments()) keep_comment(comment, mesh.comments);
     read_structure();
-    read_points(mesh);
+    xml_.for_each_point(coordinates_, points_, [&](const Vec3& p) { mesh.points.push_back(p); });
     read_polygons(mesh);
     read_values(mesh);
     mesh.space = space();
@@ -62,20 +62,6 @@ class VtpParser {
       }
     }
     if (!whole) fail("ends before </PolyData>");
-  }
-
-  void read_points(MeshParts& mesh) const {
-    if (points_ == 0) return;
-    if (xml_.count(coordinates_, "NumberOfComponents", 1) != 3)
-      fail("its points have not three coordinates");
-    Vec3 p;
-    int axis = 0;
-    xml_.for_each<double>(coordinates_, 3 * points_,
-                          text("the coordinates of ", points_, " points"), [&](double x) {
-                            p[axis] = x;
-                            if (axis == 2) mesh.points.push_back(p);
-                            axis = (axis + 1) % 3;
-                          });
   }
 
   // Returns the space in the field data: a text, as character codes that end with 0.
