@@ -15,6 +15,7 @@ namespace {
 // A cube has at most this many times the wanted length as its side. The nearest points of the
 // lattice are .87 sides apart, and sides halve: so edges have .7 to 1.4 of that length.
 constexpr double kSide = 1.6;
+constexpr double kLattice = .87;  // sides between the nearest points
 // A point is at least this share of the edges there from the surface.
 constexpr double kClearance = .55;
 constexpr int kMostLevels = 20;
@@ -27,7 +28,9 @@ class Octree {
         origin_(box.middle() - .5 * Vec3{side_, side_, side_}) {}
 
   void divide(std::span<const SizedPoint> surface) {
-    divide({0, 0, 0}, 0, wanted_length(place({0, 0, 0}, .5 * (1u << kMostLevels)), surface), surface);
+    std::vector<double> lengths(surface.size());
+    divide({0, 0, 0}, 0, lengths_at(place({0, 0, 0}, .5 * (1u << kMostLevels)), surface, lengths),
+           surface);
   }
 
   // Returns the middles, then the corners, each once: cubes have corners in common.
@@ -39,18 +42,26 @@ class Octree {
   }
 
  private:
-  // Divides the cube at `corner`, in cubes of the deepest level, and with the wanted length in its
-  // middle. `near` holds the points that may decide a length in it.
-  void divide(const std::array<std::uint32_t, 3>& corner, int level, double length,
+  // Of points for a place: the least distance and the least wanted length.
+  struct Least {
+    double distance = std::numeric_limits<double>::infinity();
+    double length = std::numeric_limits<double>::infinity();
+  };
+
+  // Divides the cube at `corner`, in cubes of the deepest level. `near` holds the points that may
+  // decide a length in it, and `least` is of its middle.
+  void divide(const std::array<std::uint32_t, 3>& corner, int level, const Least& least,
               std::span<const SizedPoint> near) {
     const std::uint32_t cells = 1u << (kMostLevels - level);
     const double side = cells * (side_ / (1u << kMostLevels));
-    if (level == kMostLevels || side <= kSide * length) {
+    if (level == kMostLevels || side <= kSide * std::min(options_.max_edge, least.length)) {
+      // Half a diagonal is .8661 sides.
+      const bool all = least.distance > (kClearance * kLattice + .8661) * side;
       const Vec3 middle = place(corner, .5 * cells);
-      if (is_free(middle, side, near)) points_.push_back(middle);
+      if (all || is_free(middle, side, near)) points_.push_back(middle);
       for (int k = 0; k < 8; ++k) {
         const std::array<std::uint32_t, 3> at = corner_of(corner, k, cells);
-        if (is_free(place(at, 0), side, near)) corners_.push_back(at);
+        if (all || is_free(place(at, 0), side, near)) corners_.push_back(at);
       }
       return;
     }
@@ -59,20 +70,27 @@ class Octree {
     for (int k = 0; k < 8; ++k) {
       const std::uint32_t half = cells / 2;
       const std::array<std::uint32_t, 3> at = corner_of(corner, k, half);
-      const Vec3 m = place(at, .5 * half);
+      const Least inner = lengths_at(place(at, .5 * half), near, lengths);
       // Half a diagonal away, lengths differ by growth times that at most.
-      const double reach = options_.growth * side * .8661;
-      double least = std::numeric_limits<double>::infinity();
-      for (std::size_t n = 0; n < near.size(); ++n) {
-        lengths[n] = length_from(near[n], m);
-        least = std::min(least, lengths[n]);
-      }
+      const double most = inner.length + options_.growth * side * .8661;
       kept.clear();
       for (std::size_t n = 0; n < near.size(); ++n) {
-        if (lengths[n] <= least + reach) kept.push_back(near[n]);
+        if (lengths[n] <= most) kept.push_back(near[n]);
       }
-      divide(at, level + 1, std::min(options_.max_edge, least), kept);
+      divide(at, level + 1, inner, kept);
     }
+  }
+
+  // Sets `lengths` to those wanted at x by each of the points.
+  Least lengths_at(const Vec3& x, std::span<const SizedPoint> near, std::span<double> lengths) {
+    Least least;
+    for (std::size_t n = 0; n < near.size(); ++n) {
+      const double apart = distance(near[n].p, x);
+      lengths[n] = near[n].length + options_.growth * apart;
+      least.distance = std::min(least.distance, apart);
+      least.length = std::min(least.length, lengths[n]);
+    }
+    return least;
   }
 
   Vec3 place(const std::array<std::uint32_t, 3>& at, double beside) const {
@@ -99,7 +117,7 @@ class Octree {
       return nearest2 >= kClearance * kClearance * edge * edge;
     };
     // Nearly all are free of the longest edge already, and that needs no square roots.
-    return is_far(.87 * side) || is_far(std::min(.87 * side, 1.3 * wanted_length(x, near)));
+    return is_far(kLattice * side) || is_far(std::min(kLattice * side, 1.3 * wanted_length(x, near)));
   }
 
   LatticeOptions options_;
