@@ -13,7 +13,9 @@ namespace deliso {
 namespace {
 
 constexpr RegionId kUnknown = 0xffffffffu;
-constexpr double kLeastShape = .02;  // of the cells that an insertion makes
+// Of the cells that an insertion makes. With .02 zones around huge triangles are cut down so often
+// that no good cells are left there.
+constexpr double kLeastShape = .002;
 
 class Insertion {
  public:

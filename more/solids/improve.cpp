@@ -41,9 +41,7 @@ class Improvement {
   }
 
  private:
-  bool is_below(CellId c, double wanted) {
-    return mesh_.is_live(c) && shape_of(c) < wanted;
-  }
+  bool is_below(CellId c, double wanted) { return mesh_.is_live(c) && shape_of(c) < wanted; }
 
   // As last computed, unless the cell is new or a corner moved.
   double shape_of(CellId c) {

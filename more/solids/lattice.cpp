@@ -117,7 +117,8 @@ class Octree {
       return nearest2 >= kClearance * kClearance * edge * edge;
     };
     // Nearly all are free of the longest edge already, and that needs no square roots.
-    return is_far(kLattice * side) || is_far(std::min(kLattice * side, 1.3 * wanted_length(x, near)));
+    return is_far(kLattice * side) ||
+           is_far(std::min(kLattice * side, 1.3 * wanted_length(x, near)));
   }
 
   LatticeOptions options_;
