@@ -7,14 +7,15 @@
 #include "base/cancel.h"
 #include "delaunay/hilbert.h"
 #include "exact/predicates.h"
-#include "more/solids/moves.h"
 #include "more/solids/quality.h"
 
 namespace deliso {
 namespace {
 
 constexpr RegionId kUnknown = 0xffffffffu;
-constexpr double kLeastShape = .02;  // of the cells that an insertion makes
+// Of the cells that an insertion makes. With .02 zones around huge triangles are cut down so often
+// that no good cells are left there.
+constexpr double kLeastShape = .002;
 
 class Insertion {
  public:
@@ -29,8 +30,17 @@ class Insertion {
     if (mesh_.region(start) == kOutside) return kNoId;
     find_zone(p, start);
     if (!cut_down(p, start)) return kNoId;
-    const VertexId x = star_from(mesh_, p, zone_, kLeastShape);
-    if (x != kNoId) hint_ = mesh_.last_created().back();
+    created_.clear();
+    const VertexId x = mesh_.add_point(p);
+    for (const auto& [cell, corner] : border_) {
+      created_.push_back(mesh_.corners(cell));
+      created_.back()[corner] = x;
+    }
+    if (!mesh_.replace_ball(zone_, created_)) {
+      mesh_.drop_point();
+      return kNoId;
+    }
+    hint_ = mesh_.last_created().back();
     return x;
   }
 
@@ -61,59 +71,72 @@ class Insertion {
     return kNoId;
   }
 
-  bool is_in_zone(CellId c) const { return std::ranges::find(zone_, c) != zone_.end(); }
+  bool is_in_zone(CellId c) const { return state_[c] == round_ + 1; }
 
+  // A cell's state is round_ when it is looked at, and round_ + 1 in the zone.
   void find_zone(const Vec3& p, CellId start) {
+    round_ += 2;
+    state_.resize(mesh_.cell_capacity(), 0);
     zone_.assign(1, start);
+    state_[start] = round_ + 1;
     for (std::size_t k = 0; k < zone_.size(); ++k) {
       for (int i = 0; i < 4; ++i) {
         const CellId n = mesh_.neighbor(zone_[k], i);
-        if (n == kNoId || mesh_.is_wall({zone_[k], i}) || is_in_zone(n)) continue;
+        if (n == kNoId || mesh_.is_wall({zone_[k], i}) || state_[n] >= round_) continue;
         const Tetrahedron& v = mesh_.corners(n);
         const auto& at = mesh_.points;
-        if (insphere(at[v[0]], at[v[1]], at[v[2]], at[v[3]], p) > 0) zone_.push_back(n);
+        state_[n] = round_;
+        if (insphere(at[v[0]], at[v[1]], at[v[2]], at[v[3]], p) <= 0) continue;
+        state_[n] = round_ + 1;
+        zone_.push_back(n);
       }
     }
   }
 
-  // Takes cells out of the zone until each facet of its boundary makes a good cell, and what is
-  // then not connected to the cell that holds p. Returns whether that cell is left.
+  // Takes cells out of the zone until each facet of its border makes a good cell, and what is then
+  // not connected to the cell that holds p. Returns whether that cell is left, with the border.
   bool cut_down(const Vec3& p, CellId start) {
+    border_.clear();
     for (std::size_t k = 0; k < zone_.size();) {
-      if (is_good(p, zone_[k])) {
+      if (add_border(p, zone_[k])) {
         ++k;
         continue;
       }
       if (zone_[k] == start) return false;
-      zone_.erase(zone_.begin() + static_cast<std::ptrdiff_t>(k));
+      state_[zone_[k]] = round_;
       keep_connected(start);
+      border_.clear();
       k = 0;
     }
     return true;
   }
 
-  bool is_good(const Vec3& p, CellId c) const {
+  // Returns whether the facets of c in the border make good cells.
+  bool add_border(const Vec3& p, CellId c) {
     for (int i = 0; i < 4; ++i) {
       const CellId n = mesh_.neighbor(c, i);
       if (n != kNoId && !mesh_.is_wall({c, i}) && is_in_zone(n)) continue;
-      Tetrahedron v = mesh_.corners(c);
+      const Tetrahedron& v = mesh_.corners(c);
       const auto& at = mesh_.points;
       std::array<Vec3, 4> q{at[v[0]], at[v[1]], at[v[2]], at[v[3]]};
       q[i] = p;
       if (shape(q[0], q[1], q[2], q[3]) <= kLeastShape) return false;
+      border_.push_back({c, i});
     }
     return true;
   }
 
+  // A cell of the zone before has the state of the round before.
   void keep_connected(CellId start) {
-    std::vector<CellId> all;
-    std::swap(all, zone_);
+    round_ += 2;
     zone_.assign(1, start);
+    state_[start] = round_ + 1;
     for (std::size_t k = 0; k < zone_.size(); ++k) {
       for (int i = 0; i < 4; ++i) {
         const CellId n = mesh_.neighbor(zone_[k], i);
-        if (n == kNoId || mesh_.is_wall({zone_[k], i}) || is_in_zone(n)) continue;
-        if (std::ranges::find(all, n) != all.end()) zone_.push_back(n);
+        if (n == kNoId || mesh_.is_wall({zone_[k], i}) || state_[n] != round_ - 1) continue;
+        state_[n] = round_ + 1;
+        zone_.push_back(n);
       }
     }
   }
@@ -121,6 +144,10 @@ class Insertion {
   CellMesh& mesh_;
   CellId hint_ = kNoId;
   std::vector<CellId> zone_;
+  std::vector<Facet> border_;  // of the zone
+  std::vector<Tetrahedron> created_;
+  IdArray<CellId, std::uint32_t> state_;
+  std::uint32_t round_ = 0;
 };
 
 }  // namespace

@@ -41,22 +41,45 @@ class Improvement {
   }
 
  private:
-  bool is_below(CellId c, double wanted) const {
-    return mesh_.is_live(c) && shape(mesh_, mesh_.corners(c)) < wanted;
+  bool is_below(CellId c, double wanted) { return mesh_.is_live(c) && shape_of(c) < wanted; }
+
+  // As last computed, unless the cell is new or a corner moved.
+  double shape_of(CellId c) {
+    shapes_.resize(mesh_.cell_capacity(), kUnknown);
+    if (shapes_[c] == kUnknown) shapes_[c] = shape(mesh_, mesh_.corners(c));
+    return shapes_[c];
+  }
+  double least_of(std::span<const CellId> cells) {
+    double least = std::numeric_limits<double>::infinity();
+    for (CellId c : cells) least = std::min(least, shape_of(c));
+    return least;
+  }
+  void forget(std::span<const CellId> cells) {
+    shapes_.resize(mesh_.cell_capacity(), kUnknown);
+    is_settled_.resize(mesh_.points.size(), 0);
+    for (CellId c : cells) {
+      shapes_[c] = kUnknown;
+      for (VertexId v : mesh_.corners(c)) is_settled_[v] = 0;
+    }
+  }
+  // Returns whether the mesh was changed, of which it takes note.
+  bool note(bool is_changed) {
+    if (is_changed) forget(mesh_.last_created());
+    return is_changed;
   }
 
   void change(CellId c, bool may_merge, bool may_split) {
     const Tetrahedron v = mesh_.corners(c);
     for (const auto& [i, k] : kEdges) {
       find_ring(mesh_, c, v[i], v[k], ring_);
-      if (!ring_.has_wall && remove_edge(mesh_, ring_, least_shape(mesh_, ring_.cells) + kGain))
-        return;
+      if (ring_.has_wall) continue;
+      if (note(remove_edge(mesh_, ring_, least_of(ring_.cells) + kGain))) return;
     }
     for (int i = 0; i < 4; ++i) {
       const CellId n = mesh_.neighbor(c, i);
       if (n == kNoId) continue;
       const std::array<CellId, 2> both{c, n};
-      if (remove_facet(mesh_, {c, i}, least_shape(mesh_, both) + kGain)) return;
+      if (note(remove_facet(mesh_, {c, i}, least_of(both) + kGain))) return;
     }
     for (const auto& [i, k] : kEdges) {
       if (may_merge && (merge(v[i], v[k]) || merge(v[k], v[i]))) return;
@@ -66,13 +89,16 @@ class Improvement {
     }
   }
 
-  // The least shape of star_ with its vertex at p; stops below `enough`.
+  // The least shape of star_ with its vertex at p; stops below `enough`. The cell that is then the
+  // least comes first the next time, since it will be so again, more often than not.
   double shape_with(VertexId v, const Vec3& p, double enough) {
     const Vec3 old = std::exchange(mesh_.points[v], p);
     double least = std::numeric_limits<double>::infinity();
-    for (CellId c : star_) {
+    for (CellId& c : star_) {
       least = std::min(least, shape(mesh_, mesh_.corners(c)));
-      if (least <= enough) break;
+      if (least > enough) continue;
+      std::swap(c, star_.front());
+      break;
     }
     mesh_.points[v] = old;
     return least;
@@ -81,7 +107,8 @@ class Improvement {
   // Moves an inner vertex to the middle of its neighbors, part of the way, or by small steps along
   // the axes.
   void smooth(VertexId v) {
-    if (mesh_.incident_cell(v) == kNoId) return;
+    is_settled_.resize(mesh_.points.size(), 0);
+    if (mesh_.incident_cell(v) == kNoId || is_settled_[v]) return;
     mesh_.cells_at(v, star_);
     const Vec3 old = mesh_.points[v];
     Vec3 middle;
@@ -95,7 +122,7 @@ class Improvement {
     const double count = 3. * static_cast<double>(star_.size());
     middle = (middle - static_cast<double>(star_.size()) * old) / count;
     length /= count;
-    double best = least_shape(mesh_, star_);
+    double best = least_of(star_);
     const auto attempt = [&](const Vec3& p) {
       const double least = shape_with(v, p, best + kGain);
       if (least <= best + kGain) return false;
@@ -113,13 +140,16 @@ class Improvement {
         }
       }
     }
+    if (mesh_.points[v] != old) forget(star_);
+    // Nothing else comes of it before something changes there.
+    is_settled_[v] = mesh_.points[v] == old;
   }
 
   // Puts w in the place of the inner vertex v.
   bool merge(VertexId v, VertexId w) {
     if (v < first_inner_) return false;
     mesh_.cells_at(v, star_);
-    const double least = least_shape(mesh_, star_);
+    const double least = least_of(star_);
     created_.clear();
     for (CellId c : star_) {
       Tetrahedron corners = mesh_.corners(c);
@@ -128,7 +158,7 @@ class Improvement {
       if (shape(mesh_, corners) <= least + kGain) return false;
       created_.push_back(corners);
     }
-    return mesh_.replace_ball(star_, created_);
+    return note(mesh_.replace_ball(star_, created_));
   }
 
   // pre: c has both. Sets c to the cell with its corners. (Where the solid touches itself,
@@ -137,16 +167,16 @@ class Improvement {
     const Tetrahedron corners = mesh_.corners(c);
     find_ring(mesh_, c, a, b, ring_);
     if (!ring_.is_closed || ring_.has_wall) return false;
-    const double least = least_shape(mesh_, ring_.cells);
+    const double least = least_of(ring_.cells);
     std::vector<Tetrahedron> before;
     for (CellId cell : ring_.cells) before.push_back(mesh_.corners(cell));
     const Vec3 middle = .5 * (mesh_.points[a] + mesh_.points[b]);
     const VertexId x = star_from(mesh_, middle, ring_.cells, 0);
-    if (x == kNoId) return false;
+    if (!note(x != kNoId)) return false;
     for (int k = 0; k < 4; ++k) smooth(x);
     mesh_.cells_at(x, star_);
-    if (least_shape(mesh_, star_) > least + kGainOfPoint) return true;
-    mesh_.replace_ball(star_, before);
+    if (least_of(star_) > least + kGainOfPoint) return true;
+    note(mesh_.replace_ball(star_, before));
     mesh_.drop_point();
     for (CellId cell : mesh_.last_created()) {
       if (mesh_.corners(cell) == corners) c = cell;
@@ -159,6 +189,10 @@ class Improvement {
   std::vector<CellId> star_;
   std::vector<Tetrahedron> created_;
   Ring ring_;
+  static constexpr double kUnknown = -2;
+  IdArray<CellId, double> shapes_;
+  // Of vertices: it was not moved the last time, and its cells are as then.
+  IdArray<VertexId, std::uint8_t> is_settled_;
 };
 
 }  // namespace
