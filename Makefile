@@ -4,6 +4,7 @@
 # targets, e.g. "nrrd ply"); for `make tidy`: SINCE (a commit: only files that changed since);
 # for `make sanitize`: PROGRAMS (only these, e.g. "tests_refine stress_parts");
 # for `make mutants`: ROOM (a folder of tests/, or some); for `make switches`: ONLY (some of them);
+# for `make test-all`: TESTS (options of ctest, which choose some);
 # for `make course` and `make grade`: COURSE (the folder of the files), EXERCISE (one of them);
 # for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets`,
 # `make tables`, `make quality`, `make switches`, `make gauntlet` and `make figures`: DATA (folder of volumes); for `make quality`:
@@ -36,6 +37,7 @@ ROOM ?=
 ROOM_TESTS = tests_$(subst /,_,$(ROOM))
 CASE ?=
 PROGRAMS ?=
+TESTS ?=
 TREES = src more deliso check io view app c
 OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find $(TREES) tests bench figures examples course -name '*.h' -o -name '*.cpp')
 
@@ -70,7 +72,7 @@ test: doctest
 # All tests, with all cases: also the stress programs, other languages, pages, engines, figures.
 test-all: doctest
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=ON -DDELISO_BUILD_BENCH=OFF
-	@DELISO_TEST_CASES=all sh tests/run_tests.sh $(BUILD) $(JOBS) all
+	@DELISO_TEST_CASES=all sh tests/run_tests.sh $(BUILD) $(JOBS) all $(TESTS)
 
 # One room and its tests with assertions on, e.g. `make room ROOM=io/volume CASE='*truncated*'`: seconds
 # after a change of one file. Its build keeps the other rooms.
@@ -92,10 +94,12 @@ course: doctest
 	@$(CONFIGURE_COURSE)
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso test_main
 	@cmake --build $(BUILD) -j $(JOBS) --target course
+# All exercises are built first, by all processors; those that do not compile are left to the grader.
 grade: doctest
 	@$(CONFIGURE_COURSE)
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso test_main >/dev/null
-	@sh course/grade.sh $(BUILD) $(EXERCISE)
+	@$(if $(EXERCISE),,if MAKEFLAGS=k cmake --build $(BUILD) -j $(JOBS) --target course >/dev/null 2>&1; then \
+	  export DELISO_GRADE_BUILT=1; fi; )sh course/grade.sh $(BUILD) $(EXERCISE)
 
 # docs/figures: the paper's figures, on the volumes in DATA; docs/guide/figures: the guide's, and
 # docs/index.html.
