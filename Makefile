@@ -222,7 +222,10 @@ fuzz:
 	@sh tests/fuzz/run.sh $(FUZZ_BUILD)/tests/fuzz $(FUZZ_BUILD)/corpus $(FUZZ)
 
 # A changed header stands for the file of its name, or for itself if there is none. Files are looked at
-# one by one, so each must include what it needs.
+# one by one, so each must include what it needs. Headers are known by their folders in this clone, wherever it
+# lies: a folder above it may be called check.
+HERE = $(shell printf %s '$(CURDIR)' | sed 's/[][\\.*^$$()+?{}|]/\\&/g')
+TIDY = clang-tidy --quiet -p $(BUILD)-tidy --header-filter='^$(HERE)/($(subst $() ,|,$(TREES)))/.*\.h$$'
 tidy:
 	@cmake -S . -Wno-dev -B $(BUILD)-tidy -DCMAKE_CXX_COMPILER=$(CLANG) -DDELISO_UNITE=OFF \
 	  -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=OFF >/dev/null
@@ -230,7 +233,7 @@ tidy:
 	  grep '\.\(cpp\|h\)$$' | while read -r file; do \
 	    source=$${file%.h}.cpp; [ -f "$$source" ] || source=$$file; [ ! -f "$$source" ] || echo "$$source"; \
 	  done | sort -u | \
-	  xargs -r -P $(JOBS) -n 1 clang-tidy --quiet -p $(BUILD)-tidy
+	  xargs -r -P $(JOBS) -n 1 $(TIDY)
 
 format:
 	clang-format -i $(OURS)
