@@ -39,6 +39,12 @@ Integer cases(Integer n) {
   return all_cases() ? n : n / 10;
 }
 
+// n or a third of it, where cases take long and a tenth of more finds what all of them find.
+template <class Integer>
+Integer costly_cases(Integer n) {
+  return all_cases() ? n : n / 3;
+}
+
 // TEST_CASE("..." * slow("why it takes over two seconds")): `make test-all` alone runs it.
 struct slow {
   explicit slow(const char* why) : reason(why) {}

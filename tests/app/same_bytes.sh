@@ -33,12 +33,13 @@ run() {
 }
 # same OPTIONS...: the mesh and its report are the same both ways, and of both programs.
 same() {
-  run plain "$deliso" "$@"
+  run plain "$deliso" "$@" &
+  [ -z "$second" ] || run second "$second" "$@" &
   run without_fma without_fma "$deliso" "$@"
+  wait
   holds "$*: the same mesh without FMA" cmp plain/mesh.ply without_fma/mesh.ply
   holds "$*: the same counts without FMA" cmp plain/counts without_fma/counts
   [ -n "$second" ] || return 0
-  run second "$second" "$@"
   holds "$*: the same mesh of both programs" cmp plain/mesh.ply second/mesh.ply
   holds "$*: the same counts of both programs" cmp plain/counts second/counts
 }

@@ -64,6 +64,7 @@ std::vector<JsonValue> all_reports() {
     samples += static_cast<char>(levels[n % 3]);
   }
   const std::string mask = folder.write("padded.raw", samples) + " --dims 20x20x20 --type uint8";
+  const std::string corner = mask + " --roi 0:8,0:8,0:8";  // all of it takes 15 times as long
   const std::string named = folder.write(
       "named.vtk",
       "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n"
@@ -93,8 +94,8 @@ std::vector<JsonValue> all_reports() {
                                   "info " + field,
                                   "info " + field + " --iso 0.3",
                                   "info " + mask,
-                                  mask + " --label 120,121,200 --smooth 2",
-                                  mask + " --label 0 --median 1 --allow-empty",
+                                  corner + " --label 120,121,200 --smooth 2",
+                                  corner + " --label 0 --median 1 --allow-empty",
                                   "info " + field + " --median 1 --smooth 1vox",
                                   "info " + named + " --array density",
                                   "check " + mesh + " " + bad,

@@ -30,7 +30,7 @@ TriMesh reversed(const TriMesh& mesh) {
 // box. They bound no volume if they meet opposite faces.
 TEST_CASE("the coarsest meshes of random volumes have the orientation of Sigma") {
   std::size_t components = 0, found = 0;
-  for (std::uint64_t seed = 1; seed <= test::cases(150u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::costly_cases(45u); ++seed) {
     CAPTURE(seed);
     const stress::TinyVolume tiny = stress::make_tiny_volume(seed);
     Options options;
@@ -43,7 +43,7 @@ TEST_CASE("the coarsest meshes of random volumes have the orientation of Sigma")
     found += reversed_components(reversed(mesh), tiny.volume, report.kappa_effective);
   }
   // Components that lie in a face of the box face both ways.
-  CHECK(components > test::cases(300u));
+  CHECK(components > test::costly_cases(90u));
   CHECK(found > 0.95 * static_cast<double>(components));
 }
 

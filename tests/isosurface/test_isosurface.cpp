@@ -85,7 +85,7 @@ TEST_CASE("intersect equals brute force over all voxels") {
       SearchCounters counters, expected_counts;
       std::vector<Hit> hits;
       std::size_t found = 0, parities = 0;
-      const std::uint64_t trials = test::cases(method == CubicMethod::isolation ? 100'000 : 20'000);
+      const std::uint64_t trials = test::cases(method == CubicMethod::isolation ? 30'000 : 10'000);
       for (std::uint64_t seed = 0; seed < trials; ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -148,7 +148,7 @@ TEST_CASE("nearest equals the nearest of all brute-force hits") {
     const Isosurface surface(field.volume, field.kappa);
     SearchCounters counters;
     std::size_t found = 0;
-    const std::uint64_t kTrials = test::cases(100'000);
+    const std::uint64_t kTrials = test::cases(30'000);
     for (std::uint64_t seed = 0; seed < kTrials; ++seed) {
       CAPTURE(seed);
       Random random(seed + 1'000'000);

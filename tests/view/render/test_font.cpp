@@ -54,12 +54,13 @@ TEST_CASE("every glyph but the blank has ink, none is like another, at any size"
       CHECK(glyphs[a].ink > 0.01 * height * height);
       CHECK(glyphs[a].ink < 0.8 * height * height);
       for (std::size_t b = 0; b < a; ++b) {
+        const double least = 0.008 * height * height;
         double difference = 0;
-        for (std::size_t n = 0; n < glyphs[a].pixels.size(); ++n) {
+        for (std::size_t n = 0; n < glyphs[a].pixels.size() && difference <= least; ++n) {
           difference += std::abs(glyphs[a].pixels[n].green - glyphs[b].pixels[n].green) / 255.0;
         }
         CAPTURE(b);
-        CHECK(difference > 0.008 * height * height);
+        CHECK(difference > least);
       }
     }
   }

@@ -59,11 +59,14 @@ TriMesh turned_round(TriMesh mesh) {
   return mesh;
 }
 
+// Without the light of the sky, which is found by many rays: a few tests here, and test_occlusion,
+// have it.
 RenderOptions small_picture() {
   RenderOptions options;
   options.size = {160, 120};
   options.view = View{40, 20};
   options.edges = Edges::hidden;
+  options.occlusion = false;
   return options;
 }
 
@@ -137,6 +140,7 @@ TEST_CASE("the outside has one color and the inside the other" *
   for (const Shading shading : {Shading::smooth, Shading::flat}) {
     RenderOptions options = small_picture();
     options.shading = shading;
+    options.occlusion = true;
     const Tally outside = tally(render(mesh, options));
     CHECK(outside.outside > 5000);
     CHECK(outside.inside == 0);
@@ -170,8 +174,7 @@ TEST_CASE("clipped in halves, a sphere shows its inside to one eye and its outsi
         doctest::Approx(0.5 * std::numbers::pi * kRadius * kRadius).epsilon(0.01));
 }
 
-TEST_CASE("edges are drawn on request and where there is room for them" *
-          test::slow("pictures with the light of the sky, which is found by many rays")) {
+TEST_CASE("edges are drawn on request and where there is room for them") {
   RenderOptions options = small_picture();
   for (const int levels : {2, 6}) {
     const TriMesh mesh = sphere(levels);
@@ -191,7 +194,6 @@ namespace {
 bool draws_edges(std::span<const Subject> subjects) {
   RenderOptions options = small_picture();
   options.size = {402 * static_cast<int>(subjects.size()), 400};
-  options.occlusion = false;
   const Image without = deliso::render(subjects, options);
   options.edges = Edges::automatic;
   return deliso::render(subjects, options).pixels != without.pixels;
@@ -215,7 +217,6 @@ TEST_CASE(
   // however many they are.
   RenderOptions options = small_picture();
   options.size = {400, 400};
-  options.occlusion = false;
   const auto brightness = [&](const TriMesh& mesh, Edges edges) {
     options.edges = edges;
     double sum = 0;
@@ -235,8 +236,7 @@ TEST_CASE(
   CHECK(most - least < 0.1);
 }
 
-TEST_CASE("a view that is not given looks into every cut" *
-          test::slow("pictures with the light of the sky, which is found by many rays")) {
+TEST_CASE("a view that is not given looks into every cut") {
   const TriMesh mesh = sphere(5);
   const Vec3 normals[] = {{1, 0, 0},    {-1, 0, 0}, {0, 1, 0},      {0, -1, 0},
                           {0, 0, 1},    {0, 0, -1}, {1, 1, 0},      {1, -2, 3},
@@ -357,8 +357,7 @@ TEST_CASE("a long narrow picture as wide as allowed is drawn") {
   CHECK(seen.outside + seen.dark > 1590 * 40);  // 0.94 * 40 * 42.6 pixels across, all of the height
 }
 
-TEST_CASE("labels and a color bar stand in strips of their own" *
-          test::slow("pictures with the light of the sky, which is found by many rays")) {
+TEST_CASE("labels and a color bar stand in strips of their own") {
   const TriMesh mesh = sphere(4);
   RenderOptions options = small_picture();
   options.size = {642, 300};
