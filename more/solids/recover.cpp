@@ -138,8 +138,7 @@ class Recovery {
     if (!crossing) return false;
     const Facet f = crossing->facet;
     const auto v = mesh_.corners(f);
-    if (crossing->edge >= 0)
-      return remove_between(v[crossing->edge], v[(crossing->edge + 1) % 3]);
+    if (crossing->edge >= 0) return remove_between(v[crossing->edge], v[(crossing->edge + 1) % 3]);
     if (remove_facet(mesh_, f, kPositive)) return true;
     for (int k = 0; k < 3; ++k) {
       if (remove_between(v[k], v[(k + 1) % 3])) return true;
@@ -291,8 +290,8 @@ class Recovery {
     return true;
   }
 
-  // Follows the wall from its border `on` inwards, facet by facet: sets `facets_`, and `pierced_` to
-  // the edges that are in the way. A vertex of `on` is on the wall, whatever its rounded place;
+  // Follows the wall from its border `on` inwards, facet by facet: sets `facets_`, and `pierced_`
+  // to the edges that are in the way. A vertex of `on` is on the wall, whatever its rounded place;
   // another one is in front or behind. Returns whether the facets fill the border.
   bool follow(const Corners& v, std::span<const VertexId> border, std::span<const VertexId> on) {
     const auto side_of = [&](VertexId p) {
@@ -314,20 +313,31 @@ class Recovery {
       if (cell == kNoId) return false;
       find_ring(mesh_, cell, a, b, ring_);
       const std::size_t size = ring_.v.size();
-      std::size_t i = 0;  // the last vertex behind before one that is not
-      const auto next = [&] { return ring_.v[(i + 1) % size]; };
-      while (i < size && (side_of(ring_.v[i]) >= 0 || side_of(next()) < 0)) ++i;
-      if (i == size || !ring_.is_closed) return false;
-      const VertexId p = ring_.v[i], c = next();
-      if (side_of(c) > 0) {
-        pierced_.push_back({ring_.cells[i], p, c});
+      const auto side = [&](std::size_t k) { return side_of(ring_.v[k % size]); };
+      // The last vertex that is not in front before one that is. Rounding may show more of them
+      // beyond the wall's edge, or none.
+      std::size_t i = size + 1;
+      for (std::size_t k = 0; k < size; ++k) {
+        if (side(k) > 0 || side(k + 1) <= 0) continue;
+        const bool is_sure = side(k) == 0 || crosses(v, ring_.v[k], ring_.v[(k + 1) % size]);
+        if (is_sure || i > size) i = k;
+        if (is_sure) break;
+      }
+      for (std::size_t k = 1; k <= size && i > size; ++k) {
+        if (side(k - 1) < 0 && side(k) == 0) i = k;
+      }
+      if (i > size || !ring_.is_closed) return false;
+      i %= size;
+      const VertexId c = ring_.v[i];
+      if (side(i) < 0) {
+        pierced_.push_back({ring_.cells[i], c, ring_.v[(i + 1) % size]});
         is_filled = false;
         continue;
       }
-      if (mesh_.is_wall({ring_.cells[i], corner_index(mesh_.corners(ring_.cells[i]), p)}) ||
-          facets_.size() > 2 * on.size()) {
-        return false;
-      }
+      const VertexId next = ring_.v[(i + 1) % size];
+      const Facet facet{ring_.cells[i], corner_index(mesh_.corners(ring_.cells[i]), next)};
+      if (mesh_.is_wall(facet) && other_side({a, b, c}) == nullptr) return false;
+      if (facets_.size() > 2 * on.size()) return false;
       facets_.push_back({a, b, c});
       front[n].first = kNoId;
       for (const auto& [from, to] : {std::pair{b, c}, {c, a}}) {
@@ -342,6 +352,36 @@ class Recovery {
     return is_filled;
   }
 
+  // Returns the part that is this facet from its other side, or null.
+  Wall* other_side(const Corners& v) {
+    const auto found = std::ranges::find_if(parts_, [&](const Wall& part) {
+      const auto& [a, b, c] = part.v;
+      return v == Corners{b, a, c} || v == Corners{c, b, a} || v == Corners{a, c, b};
+    });
+    return found == parts_.end() ? nullptr : &*found;
+  }
+
+  // Makes the facet part of a wall. Where a cut left an edge beside its line, two walls of the edge
+  // may have the facet between: then what is in front of one is beyond the other.
+  void add_part(const Wall& part) {
+    const Facet f = mesh_.facet_with(part.v[0], part.v[1], part.v[2]);
+    if (!mesh_.is_wall(f)) {
+      mesh_.set_wall(f);
+      parts_.push_back(part);
+      return;
+    }
+    Wall& other = *other_side(part.v);
+    if (other.front == part.front) {
+      other.front = part.behind;
+    } else {
+      other.behind = part.front;
+    }
+    if (other.front != other.behind) return;
+    mesh_.set_wall(f, false);
+    other = parts_.back();
+    parts_.pop_back();
+  }
+
   // Returns whether the wall is there now.
   bool recover_wall(std::size_t w, bool may_cut) {
     const Corners v = walls_[w].v;
@@ -350,20 +390,19 @@ class Recovery {
     const auto may_join = [&](VertexId p, VertexId q) { return !crosses(v, p, q); };
     for (std::size_t tries = 0; may_cut ? cuts() <= most_cuts_ : tries < kMostTries; ++tries) {
       if (follow(v, border, on)) {
-        for (const Corners& facet : facets_) mark(facet);
-        if (facets_.size() == 1) return true;
+        if (border.size() == 3 && facets_.size() == 1) return mark(v);
         for (const Corners& facet : facets_) {
-          parts_.push_back(walls_[w]);
-          parts_.back().v = facet;
+          add_part({facet, walls_[w].front, walls_[w].behind, walls_[w].kind});
         }
         walls_[w].v[0] = kNoId;
         return true;
       }
-      const bool moved = std::ranges::any_of(pierced_, [&](const Pierced& edge) {
-        if (wall_edges_.has(edge.p, edge.q)) return false;
-        find_ring(mesh_, edge.cell, edge.p, edge.q, ring_);
-        return remove_edge(mesh_, ring_, kPositive, may_join) || shrink_ring(v);
-      });
+      const bool moved =
+          tries < kMostTries && std::ranges::any_of(pierced_, [&](const Pierced& edge) {
+            if (wall_edges_.has(edge.p, edge.q)) return false;
+            find_ring(mesh_, edge.cell, edge.p, edge.q, ring_);
+            return remove_edge(mesh_, ring_, kPositive, may_join) || shrink_ring(v);
+          });
       if (moved) continue;
       if (!may_cut || !std::ranges::any_of(pierced_, [&](const Pierced& edge) {
             on.push_back(cut_wall(v, edge));
@@ -382,12 +421,11 @@ class Recovery {
     // From the wall's corners: so a wall in a plane of the axes is not left by rounding.
     std::array<double, 3> share;
     for (int n = 0; n < 3; ++n) {
-      share[n] =
-          orient3d_value(at(v[(n + 1) % 3]), at(v[(n + 2) % 3]), at(edge.p), at(edge.q));
+      share[n] = orient3d_value(at(v[(n + 1) % 3]), at(v[(n + 2) % 3]), at(edge.p), at(edge.q));
     }
     const double all = share[0] + share[1] + share[2];
-    const Vec3 p = at(v[0]) + share[1] / all * (at(v[1]) - at(v[0])) +
-                   share[2] / all * (at(v[2]) - at(v[0]));
+    const Vec3 p =
+        at(v[0]) + share[1] / all * (at(v[1]) - at(v[0])) + share[2] / all * (at(v[2]) - at(v[0]));
     const VertexId x = insert_at(p, ring_.cells);
     counts_.cut_walls += x != kNoId;
     return x;
