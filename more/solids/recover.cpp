@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/cancel.h"
+#include "base/triangle.h"
 #include "exact/predicates.h"
 #include "more/solids/moves.h"
 #include "more/solids/quality.h"
@@ -89,7 +90,13 @@ class Recovery {
   // Tries before an edge or a wall is cut.
   static constexpr std::size_t kMostTries = 24;
   static constexpr std::size_t kMostInZone = 24;
+  // At once. Of ten families of hard skins no wall that was recovered had more.
+  static constexpr std::size_t kMostCutsOfWall = 200;
 
+  // A facet of two walls, and what parts of a wall have in excess, are at most this share of it.
+  static constexpr double kFlat = 1e-9;
+
+  double area(const Corners& v) const { return length(area_normal(at(v[0]), at(v[1]), at(v[2]))); }
   const Vec3& at(VertexId v) const { return mesh_.points[v]; }
   std::size_t missing() const { return edges_.size() + missing_.size(); }
   std::size_t cuts() const { return counts_.cut_edges + counts_.cut_walls; }
@@ -336,8 +343,13 @@ class Recovery {
       }
       const VertexId next = ring_.v[(i + 1) % size];
       const Facet facet{ring_.cells[i], corner_index(mesh_.corners(ring_.cells[i]), next)};
-      if (mesh_.is_wall(facet) && other_side({a, b, c}) == nullptr) return false;
-      if (facets_.size() > 2 * on.size()) return false;
+      if (mesh_.is_wall(facet) &&
+          (other_side({a, b, c}) == nullptr || area({a, b, c}) > kFlat * area(v)))
+        return false;
+      if (facets_.size() > 2 * on.size()) {  // no disk has so many
+        pierced_.clear();
+        return false;
+      }
       facets_.push_back({a, b, c});
       front[n].first = kNoId;
       for (const auto& [from, to] : {std::pair{b, c}, {c, a}}) {
@@ -388,8 +400,11 @@ class Recovery {
     const std::vector<VertexId> border = wall_edges_.border(v);
     std::vector<VertexId> on = border;
     const auto may_join = [&](VertexId p, VertexId q) { return !crosses(v, p, q); };
-    for (std::size_t tries = 0; may_cut ? cuts() <= most_cuts_ : tries < kMostTries; ++tries) {
+    for (std::size_t tries = 0; tries < kMostTries + (may_cut ? kMostCutsOfWall : 0); ++tries) {
       if (follow(v, border, on)) {
+        double covered = 0;
+        for (const Corners& facet : facets_) covered += area(facet);
+        if (covered > (1 + kFlat) * area(v)) return false;
         if (border.size() == 3 && facets_.size() == 1) return mark(v);
         for (const Corners& facet : facets_) {
           add_part({facet, walls_[w].front, walls_[w].behind, walls_[w].kind});
@@ -404,12 +419,12 @@ class Recovery {
             return remove_edge(mesh_, ring_, kPositive, may_join) || shrink_ring(v);
           });
       if (moved) continue;
-      if (!may_cut || !std::ranges::any_of(pierced_, [&](const Pierced& edge) {
-            on.push_back(cut_wall(v, edge));
-            return on.back() != kNoId;
-          })) {
-        return false;
+      VertexId x = kNoId;
+      for (std::size_t n = 0; may_cut && x == kNoId && n < pierced_.size(); ++n) {
+        x = cut_wall(v, pierced_[n]);
       }
+      if (x == kNoId) return false;
+      on.push_back(x);
     }
     return false;
   }

@@ -185,7 +185,7 @@ TEST_CASE("random tetrahedra that do not meet, thin and long, in one solid") {
 TEST_CASE("a skin that crosses itself is refused") {
   Skin skin = box_skin({0, 0, 0}, {2, 2, 2});
   append(skin, box_skin({1, 1.1, 1.2}, {3, 3.1, 3.2}));
-  CHECK(refusal_of(skin) == "it crosses itself, or nearly");
+  CHECK(refusal_of(skin) == "it crosses itself, or has sheets a rounding apart");
   // An edge through a wall.
   skin = box_skin({0, 0, 0}, {2, 2, 2});
   append(skin, skin_of({{1, 1, 1}, {1.1, 1, 5}, {1, 1.2, 5}, {1.1, 1.2, 4}},
