@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "base/cancel.h"
-#include "base/triangle.h"
 #include "exact/predicates.h"
 #include "more/solids/moves.h"
 #include "more/solids/quality.h"
@@ -93,10 +92,6 @@ class Recovery {
   // At once. Of ten families of hard skins no wall that was recovered had more.
   static constexpr std::size_t kMostCutsOfWall = 200;
 
-  // A facet of two walls, and what parts of a wall have in excess, are at most this share of it.
-  static constexpr double kFlat = 1e-9;
-
-  double area(const Corners& v) const { return length(area_normal(at(v[0]), at(v[1]), at(v[2]))); }
   const Vec3& at(VertexId v) const { return mesh_.points[v]; }
   std::size_t missing() const { return edges_.size() + missing_.size(); }
   std::size_t cuts() const { return counts_.cut_edges + counts_.cut_walls; }
@@ -343,9 +338,7 @@ class Recovery {
       }
       const VertexId next = ring_.v[(i + 1) % size];
       const Facet facet{ring_.cells[i], corner_index(mesh_.corners(ring_.cells[i]), next)};
-      if (mesh_.is_wall(facet) &&
-          (other_side({a, b, c}) == nullptr || area({a, b, c}) > kFlat * area(v)))
-        return false;
+      if (mesh_.is_wall(facet) && other_side({a, b, c}) == nullptr) return false;
       if (facets_.size() > 2 * on.size()) {  // no disk has so many
         pierced_.clear();
         return false;
@@ -402,9 +395,6 @@ class Recovery {
     const auto may_join = [&](VertexId p, VertexId q) { return !crosses(v, p, q); };
     for (std::size_t tries = 0; tries < kMostTries + (may_cut ? kMostCutsOfWall : 0); ++tries) {
       if (follow(v, border, on)) {
-        double covered = 0;
-        for (const Corners& facet : facets_) covered += area(facet);
-        if (covered > (1 + kFlat) * area(v)) return false;
         if (border.size() == 3 && facets_.size() == 1) return mark(v);
         for (const Corners& facet : facets_) {
           add_part({facet, walls_[w].front, walls_[w].behind, walls_[w].kind});
