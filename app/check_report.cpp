@@ -89,11 +89,6 @@ std::string voronoi_text(const VoronoiEdges& v) {
               " Voronoi edges meet the surface twice or more\n");
 }
 
-std::string counts_text(const TopologyCounts& t) {
-  return text(t.components, " components, Euler number ", t.euler, ", ", t.boundary_loops,
-              " boundary loops");
-}
-
 }  // namespace
 
 std::string place_text(const Vec3& p) {
@@ -168,8 +163,8 @@ VerifyOptions verify_options(const CommandLine& line, const Grid& volume,
 
 std::string verification_text(const Verification& v, const Grid& volume) {
   const double voxel = volume.voxel();
-  std::string out = "check     " + counts_text(v.mesh) +
-                    "\n          exact: " + counts_text(v.exact) + "; " +
+  std::string out = "check     " + topology_text(v.mesh) +
+                    "\n          exact: " + topology_text(v.exact) + "; " +
                     text(v.equal_components, " alike");
   if (v.left_out > 0) out += text(", ", v.left_out, " left out");
   if (v.solid) {

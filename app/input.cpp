@@ -101,6 +101,7 @@ Source read_source(const CommandLine& line, std::vector<std::string> others) {
       return read_volume(line.input, read, &log);
     } catch (SeveralSeries& several) {
       several.paths = log.paths();
+      several.notes = log.notes;
       throw;
     }
   }();

@@ -12,6 +12,8 @@
 
 #include "app/command_line.h"
 #include "app/input.h"
+#include "app/output.h"
+#include "app/peak_memory.h"
 #include "app/progress.h"
 #include "app/solid.h"
 #include "app/topology.h"
@@ -51,8 +53,30 @@ struct AsWritten {
 struct RunCost {
   double check = 0, write = 0, total = 0;
   std::uint64_t peak_bytes = 0;
+
+  // Fills in the seconds of the whole run, and its memory.
+  void end(double seconds) {
+    total = seconds;
+    peak_bytes = peak_memory_bytes();
+  }
 };
 std::string cost_text(const RunCost& cost);
+
+// Ends a run, and writes its report as JSON, if its line asks for that. `total` counts from the
+// beginning of the run.
+template <class Run>
+void write_report(Run& run, const Stopwatch& total, ProgressBar& progress) {
+  progress.clear();
+  run.cost.end(total.seconds());
+  if (!run.line.json.empty()) write_text(run.line.json, report_json(run));
+}
+// Writes its report to standard output, or to standard error if a file goes there.
+template <class Run>
+void print_report(const Run& run) {
+  const CommandLine& line = run.line;
+  if (line.quiet) return;
+  print_report(report_text(run), line.output == "-" || line.json == "-");
+}
 
 struct MeshRun {
   MeshRun(const CommandLine& command_line, const Input& volume_input)
@@ -144,9 +168,6 @@ void write_labels(std::vector<MeshObject> objects, std::span<const std::int64_t>
 // InputError.
 void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run, const TriMesh& mesh,
                  std::vector<MeshObject>* objects = nullptr);
-
-// Writes the report to standard output, or to standard error if a file goes there.
-void print_report(const MeshRun& run);
 
 // Returns what rounding made, "2 pairs of triangles cross, 1 triangle flat", of the kinds that
 // there are.

@@ -63,6 +63,7 @@ int run_info(const CommandLine& line) try {
 } catch (const SeveralSeries& several) {
   if (line.read.series || !line.output.empty()) throw;
   require_outputs(std::array{line.json}, several.paths);
+  print_warnings(several.notes);
   if (!line.json.empty()) write_text(line.json, series_json(line.input, several.series));
   if (!line.quiet && line.json != "-") print(series_text(line.input, several.series));
   return kExitSuccess;

@@ -16,7 +16,6 @@
 #include "app/mesh_attributes.h"
 #include "app/mesh_run.h"
 #include "app/output.h"
-#include "app/peak_memory.h"
 #include "app/progress.h"
 #include "app/published.h"
 #include "app/round_points.h"
@@ -312,16 +311,7 @@ void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run, co
     write_mesh(written, line.output, options);
   }
   run.cost.write = watch.seconds();
-  progress.clear();
-  run.cost.peak_bytes = peak_memory_bytes();
-  run.cost.total = total.seconds();
-  if (!line.json.empty()) write_text(line.json, report_json(run));
-}
-
-void print_report(const MeshRun& run) {
-  const CommandLine& line = run.line;
-  if (line.quiet) return;
-  print_report(report_text(run), line.output == "-" || line.json == "-");
+  write_report(run, total, progress);
 }
 
 // Returns the command line of each isovalue's mesh. Throws InputError if some output cannot be

@@ -6,7 +6,6 @@
 
 #include "app/mesh_run.h"
 #include "app/output.h"
-#include "app/peak_memory.h"
 #include "app/progress.h"
 #include "app/run.h"
 #include "app/shared_labels.h"
@@ -58,11 +57,8 @@ int run_shared(const Stopwatch& total, const Source& source, const CommandLine& 
     write_mesh(united_mesh(run), line.mesh.shared, united_options(run));
   }
   run.cost.write = watch.seconds();
-  progress.clear();
-  run.cost.peak_bytes = peak_memory_bytes();
-  run.cost.total = total.seconds();
-  if (!line.json.empty()) write_text(line.json, report_json(run));
-  if (!line.quiet) print_report(report_text(run), line.output == "-" || line.json == "-");
+  write_report(run, total, progress);
+  print_report(run);
   return run.sound() ? kExitSuccess : kFaultFound;
 }
 

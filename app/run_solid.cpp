@@ -6,7 +6,6 @@
 
 #include "app/closed_surface.h"
 #include "app/output.h"
-#include "app/peak_memory.h"
 #include "app/run.h"
 #include "app/signals.h"
 #include "app/solid_run.h"
@@ -19,7 +18,9 @@ namespace deliso {
 
 int run_solid(const CommandLine& line) {
   const Stopwatch total;
-  require_outputs(std::vector{line.output, line.json}, line.meshes);
+  std::vector<std::string> outputs = solid_files(line.output, line.solid.format);
+  outputs.push_back(line.json);
+  require_outputs(outputs, line.meshes);
   ProgressBar progress(solid_stages(), !line.quiet);
   progress.show("reading", 0);
   MeshNotes notes;
@@ -34,11 +35,8 @@ int run_solid(const CommandLine& line) {
     write_solid(run.solid, run.frame, line.output, run.write_options());
     run.cost.write = writing.seconds();
   }
-  progress.clear();
-  run.cost.peak_bytes = peak_memory_bytes();
-  run.cost.total = total.seconds();
-  if (!line.json.empty()) write_text(line.json, report_json(run));
-  if (!line.quiet) print_report(report_text(run), line.output == "-" || line.json == "-");
+  write_report(run, total, progress);
+  print_report(run);
   return run.sound() ? kExitSuccess : kFaultFound;
 }
 

@@ -17,6 +17,7 @@
 #include "base/check.h"
 #include "base/parallel.h"
 #include "base/text.h"
+#include "io/files/text_scan.h"
 #include "io/mesh/read_mesh.h"
 #include "io/volume/builtin_volume.h"
 #include "io/volume/read_volume.h"
@@ -83,16 +84,6 @@ class TemporaryFolder {
   std::string path_;
 };
 
-std::vector<std::string> split(const std::string& words, char at) {
-  std::vector<std::string> out;
-  for (std::size_t begin = 0; begin < words.size();) {
-    const std::size_t end = std::min(words.find(at, begin), words.size());
-    if (end > begin) out.push_back(words.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return out;
-}
-
 bool is_file_of_runs(const std::string& path) {
   return path.ends_with(".tsv");
 }
@@ -134,7 +125,8 @@ Arguments parse(int argc, char** argv) {
       a.limit = static_cast<unsigned>(std::strtoul(value.c_str(), nullptr, 10));
       if (a.limit == 0) throw InputError("--limit " + value + ": not a number of seconds");
     } else if (option == "--only") {
-      a.only = split(value, ',');
+      const std::vector<std::string_view> names = split(value, ',');
+      a.only.assign(names.begin(), names.end());
     } else if (option == "--options") {
       a.options.push_back(value);
     } else if (option == "--turns") {
@@ -243,7 +235,7 @@ QualityRun run(const std::string& program, const Arguments& arguments, const Sub
                                  "--threads", "1",
                                  "-q",        "-o",
                                  mesh};
-  const std::vector<std::string> given = split(options, ' ');
+  const std::vector<std::string_view> given = words_of(options);
   words.insert(words.end(), given.begin(), given.end());
   const Ended ended = run_program(words, arguments.limit);
 

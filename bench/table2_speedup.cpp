@@ -15,9 +15,6 @@ int work(const BenchArguments& arguments) {
       {"data set", "data", "lines", "paper 3D", "3D", "spread", "paper two", "of it Table 3", "two",
        "spread", "paper speedup", "speedup", "to paper's", "exact", "spread"},
       2);
-  Table vertices("Vertices of the meshes, as published",
-                 {"data set", "data", "paper two", "two", "ratio", "3D", "ratio", "exact", "ratio"},
-                 2);
   for (const Dataset& dataset : arguments.datasets) {
     const OpenedDataset opened = open_dataset(dataset, arguments.data);
     const PaperFigures& paper = dataset.paper;
@@ -37,15 +34,6 @@ int work(const BenchArguments& arguments) {
                fixed_cell(t2.median, 3), spread_cell(t2), fixed_cell(paper.speedup, 2),
                fixed_cell(speedup, 2), ratio(speedup, paper.speedup), fixed_cell(t.median, 3),
                spread_cell(t)});
-
-    const double theirs = paper.n_recover + paper.n_refine;
-    std::vector<std::string> row{dataset.name, opened.data, count_cell(theirs)};
-    for (const TriMesh* mesh : {&two.mesh, &one.mesh, &exact.mesh}) {
-      const auto ours = static_cast<double>(mesh->points.size());
-      row.push_back(count_cell(ours));
-      row.push_back(ratio(ours, theirs));
-    }
-    vertices.add(std::move(row));
     for (const std::string& remark : opened.remarks) table.remark(remark);
   }
   table.remark(
@@ -53,9 +41,7 @@ int work(const BenchArguments& arguments) {
       "- smallest) / "
       "median. Of it Table 3: what the paper's own times of insertions add up to. Exact: the exact "
       "program without options, by the distance.");
-  vertices.remark("Components that no line meets are not in the counts of the published program.");
   print_table(table, arguments);
-  print_table(vertices, arguments);
   return 0;
 }
 

@@ -12,7 +12,6 @@
 
 #include "app/input.h"
 #include "app/option_table.h"
-#include "app/peak_memory.h"
 #include "app/report_writer.h"
 #include "app/text.h"
 #include "base/text.h"
@@ -122,8 +121,7 @@ void take(const TriMesh& surface, MeshRun& run, double seconds, deliso_mesh& mad
   made.mesh = written_mesh(surface, {.format = MeshFormat::ply});
   made.write = write_options(run, surface);
   made.space = surface.frame.space;
-  run.cost.peak_bytes = peak_memory_bytes();
-  run.cost.total = seconds;
+  run.cost.end(seconds);
   made.report = report_json(run);
   tell(run.notes);
 }

@@ -118,6 +118,13 @@ void take(const TriMesh& surface, MeshRun& run, double seconds, deliso_mesh& mad
 TriMesh tri_mesh_of(const deliso_mesh* mesh);
 MeshNotes notes_of(const deliso_mesh& mesh);
 
+// Returns what a handle stands for; of a null one, an empty one.
+template <class Handle>
+const Handle& or_empty(const Handle* handle) {
+  static const Handle empty;
+  return handle ? *handle : empty;
+}
+
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(std::uint32_t) &&
               sizeof(Tetrahedron) == 4 * sizeof(std::uint32_t));
 template <class Number, class Values>

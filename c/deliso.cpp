@@ -16,7 +16,6 @@
 #include "app/info.h"
 #include "app/input.h"
 #include "app/mesh_run.h"
-#include "app/peak_memory.h"
 #include "app/run.h"
 #include "app/shared_labels.h"
 #include "base/check.h"
@@ -96,11 +95,6 @@ CommandLine line_of_all(std::vector<std::string> words, const deliso_volume& vol
     }
   }
   return line_of(std::move(words), volume, kNoIsovalue, options);
-}
-
-const deliso_mesh& mesh_or_empty(const deliso_mesh* mesh) {
-  static const deliso_mesh empty;
-  return mesh ? *mesh : empty;
 }
 
 std::vector<Vec3> read_vectors(const double* numbers, std::size_t count) {
@@ -252,8 +246,7 @@ deliso_status deliso_mesh_shared(const deliso_volume* volume, const char* const*
     for (const SharedLabel& l : run.labels) {
       if (!l.name.empty()) made->names += text(l.label.label, " ", one_line(l.name), "\n");
     }
-    run.cost.peak_bytes = peak_memory_bytes();
-    run.cost.total = total.seconds();
+    run.cost.end(total.seconds());
     made->report = report_json(run);
     tell(run.notes);
     *mesh = made.release();
@@ -262,7 +255,7 @@ deliso_status deliso_mesh_shared(const deliso_volume* volume, const char* const*
 }
 
 const int64_t* deliso_mesh_sides(const deliso_mesh* mesh, size_t* count) {
-  const auto& sides = mesh_or_empty(mesh).write.sides;
+  const auto& sides = or_empty(mesh).write.sides;
   if (count) *count = sides.size();
   return sides.empty() ? nullptr : sides.front().data();
 }
@@ -385,19 +378,19 @@ void deliso_mesh_free(deliso_mesh* mesh) {
 }
 
 const double* deliso_mesh_vertices(const deliso_mesh* mesh, size_t* count) {
-  return numbers_of<double>(mesh_or_empty(mesh).mesh.points, count);
+  return numbers_of<double>(or_empty(mesh).mesh.points, count);
 }
 
 const uint32_t* deliso_mesh_triangles(const deliso_mesh* mesh, size_t* count) {
-  return numbers_of<uint32_t>(mesh_or_empty(mesh).mesh.triangles, count);
+  return numbers_of<uint32_t>(or_empty(mesh).mesh.triangles, count);
 }
 
 const double* deliso_mesh_normals(const deliso_mesh* mesh, size_t* count) {
-  return numbers_of<double>(mesh_or_empty(mesh).normals, count);
+  return numbers_of<double>(or_empty(mesh).normals, count);
 }
 
 const char* deliso_mesh_report(const deliso_mesh* mesh) {
-  return mesh_or_empty(mesh).report.c_str();
+  return or_empty(mesh).report.c_str();
 }
 
 deliso_status deliso_mesh_save(const deliso_mesh* mesh, const char* path) {
@@ -480,6 +473,7 @@ deliso_status deliso_info_file(const char* path, double isovalue, const char* co
     } catch (const SeveralSeries& several) {
       if (line.read.series) throw;
       *json = copied(series_json(line.input, several.series));
+      tell(several.notes);
     }
     return true;
   });

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/peak_memory.h"
 #include "app/solid_run.h"
 #include "base/stopwatch.h"
 #include "c/call.h"
@@ -27,15 +26,6 @@ struct deliso_solid {
   std::string report;
 };
 
-namespace {
-
-const deliso_solid& solid_or_empty(const deliso_solid* solid) {
-  static const deliso_solid empty;
-  return solid ? *solid : empty;
-}
-
-}  // namespace
-
 deliso_status deliso_solid_create(const deliso_mesh* surface, const char* const* options,
                                   const deliso_watch* watch, deliso_solid** solid) {
   return guarded(watch, [&] {
@@ -46,8 +36,7 @@ deliso_status deliso_solid_create(const deliso_mesh* surface, const char* const*
     WatchedProgress progress(solid_stages(), watch);
     SolidRun run{line};
     make_solid_of(tri_mesh_of(surface), notes_of(*surface), run, progress);
-    run.cost.peak_bytes = peak_memory_bytes();
-    run.cost.total = total.seconds();
+    run.cost.end(total.seconds());
     auto made = std::make_unique<deliso_solid>();
     made->report = report_json(run);
     made->write = run.write_options();
@@ -70,27 +59,27 @@ void deliso_solid_free(deliso_solid* solid) {
 }
 
 const double* deliso_solid_points(const deliso_solid* solid, size_t* count) {
-  return numbers_of<double>(solid_or_empty(solid).solid.points, count);
+  return numbers_of<double>(or_empty(solid).solid.points, count);
 }
 
 const uint32_t* deliso_solid_cells(const deliso_solid* solid, size_t* count) {
-  return numbers_of<uint32_t>(solid_or_empty(solid).solid.cells, count);
+  return numbers_of<uint32_t>(or_empty(solid).solid.cells, count);
 }
 
 const int64_t* deliso_solid_regions(const deliso_solid* solid, size_t* count) {
-  return numbers_of<int64_t>(solid_or_empty(solid).labels, count);
+  return numbers_of<int64_t>(or_empty(solid).labels, count);
 }
 
 const uint32_t* deliso_solid_walls(const deliso_solid* solid, size_t* count) {
-  return numbers_of<uint32_t>(solid_or_empty(solid).walls, count);
+  return numbers_of<uint32_t>(or_empty(solid).walls, count);
 }
 
 const uint32_t* deliso_solid_kinds(const deliso_solid* solid, size_t* count) {
-  return numbers_of<uint32_t>(solid_or_empty(solid).kinds, count);
+  return numbers_of<uint32_t>(or_empty(solid).kinds, count);
 }
 
 const char* deliso_solid_report(const deliso_solid* solid) {
-  return solid_or_empty(solid).report.c_str();
+  return or_empty(solid).report.c_str();
 }
 
 deliso_status deliso_solid_save(const deliso_solid* solid, const char* path) {

@@ -15,10 +15,6 @@
 namespace deliso {
 namespace {
 
-std::string corners_text(const Triangle& t) {
-  return text("(", t[0], " ", t[1], " ", t[2], ")");
-}
-
 // Returns for each vertex the smallest vertex at its position, and reports duplicates.
 std::vector<VertexId> weld(const std::vector<Vec3>& points, Faults& faults) {
   std::vector<VertexId> first = first_at_place(points);
@@ -47,9 +43,6 @@ void report_unused(const TriMesh& mesh, const std::vector<VertexId>& first, Faul
 // Keeps the triangles that are neither degenerate nor duplicates, with welded corners.
 void keep_good_triangles(const TriMesh& mesh, const std::vector<VertexId>& first, Faults& faults,
                          CleanMesh& out) {
-  const auto named = [&](FaceId f) {
-    return text("triangle ", f, " ", corners_text(mesh.faces[f].v));
-  };
   std::vector<Triangle> welded;
   std::vector<FaceId> id;
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
@@ -59,7 +52,8 @@ void keep_good_triangles(const TriMesh& mesh, const std::vector<VertexId>& first
     if (!is_finite(a) || !is_finite(b) || !is_finite(c)) continue;
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || collinear(a, b, c)) {
       faults.add(
-          FaultKind::degenerate_triangles, [&] { return named(f) + " has no area"; }, a);
+          FaultKind::degenerate_triangles,
+          [&] { return name_of_triangle(mesh, f) + " has no area"; }, a);
       continue;
     }
     welded.push_back(t);
@@ -74,7 +68,8 @@ void keep_good_triangles(const TriMesh& mesh, const std::vector<VertexId>& first
     faults.add(
         FaultKind::duplicate_triangles,
         [&] {
-          return named(id[here.triangle]) + text(" is there already as ", id[before.triangle]);
+          return text(name_of_triangle(mesh, id[here.triangle]), " is there already as ",
+                      id[before.triangle]);
         },
         mesh.points[welded[here.triangle][0]]);
   }

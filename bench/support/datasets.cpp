@@ -2,12 +2,13 @@
 #include "support/datasets.h"
 
 #include <array>
-#include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <string_view>
 
 #include "base/check.h"
 #include "base/text.h"
+#include "io/files/text_scan.h"
 #include "io/volume/builtin_volume.h"
 #include "io/volume/read_volume.h"
 #include "paper/options.h"
@@ -21,36 +22,24 @@ constexpr std::string_view kHeader =
     "dims\ttype\tspacing\tisovalue\tlines\tsha256\tanalogue\turl\tsource\t3d\tdeliso"
     "\tspeedup\tt_rc\tn_rc\tt_rf\tn_rf\tcpi_rc\tcpi*_rc\tcpi_rf\tcpi*_rf";
 
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> fields(1);
-  for (const char c : line) {
-    if (c == '\t') {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
-  }
-  return fields;
-}
-
 // Takes the fields of one row off the front, one after the other.
 class Row {
  public:
-  Row(const std::string& line, std::string place) : fields_(split(line)), place_(std::move(place)) {
-    if (fields_.size() != split(std::string(kHeader)).size()) fail("has another number of fields");
+  Row(std::string_view line, std::string place)
+      : fields_(split(line, '\t')), place_(std::move(place)) {
+    if (fields_.size() != split(kHeader, '\t').size()) fail("has another number of fields");
   }
 
   std::string text() {
-    std::string& field = fields_[next_++];
+    const std::string_view field = fields_[next_++];
     if (field.empty()) fail("has an empty field");
-    return std::move(field);
+    return std::string(field);
   }
   double number() {
     const std::string field = text();
-    char* end = nullptr;
-    const double value = std::strtod(field.c_str(), &end);
-    if (*end != '\0' || !(value >= 0)) fail("'" + field + "' is not a number");
-    return value;
+    const std::optional<double> value = number_in<double>(field);
+    if (!value || !(*value >= 0)) fail("'" + field + "' is not a number");
+    return *value;
   }
 
  private:
@@ -58,7 +47,7 @@ class Row {
     throw InputError(place_ + ": " + fault);
   }
 
-  std::vector<std::string> fields_;
+  std::vector<std::string_view> fields_;  // of the line
   std::string place_;
   std::size_t next_ = 0;
 };

@@ -25,17 +25,11 @@ void PairSearches::split(const Node& node, double kappa) {
     return;
   }
   bool has_inside = false, has_outside = false;
-  Index3 p;
-  for (p.k = node.lo[2]; p.k <= node.hi[2]; ++p.k) {
-    for (p.j = node.lo[1]; p.j <= node.hi[1]; ++p.j) {
-      for (p.i = node.lo[0]; p.i <= node.hi[0]; ++p.i) {
-        (volume_.sample(p.i, p.j, p.k) >= kappa ? has_inside : has_outside) = true;
-      }
-    }
-  }
-  const Index3 first{node.lo[0], node.lo[1], node.lo[2]};
-  const Index3 last{node.hi[0] - 1, node.hi[1] - 1, node.hi[2] - 1};
-  for (const Index3& voxel : {first, last}) {
+  const Index3 first{node.lo[0], node.lo[1], node.lo[2]}, end{node.hi[0], node.hi[1], node.hi[2]};
+  for_each_place(first, end, [&](Index3 p) {
+    (volume_.sample(p.i, p.j, p.k) >= kappa ? has_inside : has_outside) = true;
+  });
+  for (const Index3& voxel : {first, end + Index3{-1, -1, -1}}) {
     is_active_[voxel_number(volume_.dims(), voxel)] = has_inside && has_outside;
   }
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -13,30 +12,15 @@
 #include "base/text.h"
 #include "check/verify.h"
 #include "contour/contour.h"
+#include "io/files/text_scan.h"
 
 namespace deliso {
 namespace {
 
 constexpr std::array<std::string_view, 4> kLabels{"build", "volume", "options", "turn"};
 
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> fields(1);
-  for (const char c : line) {
-    if (c == '\t') {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
-  }
-  return fields;
-}
-
-std::optional<double> parse(const std::string& field) {
-  if (field == "-") return std::numeric_limits<double>::quiet_NaN();
-  char* end = nullptr;
-  const double value = std::strtod(field.c_str(), &end);
-  if (field.empty() || *end != '\0') return std::nullopt;
-  return value;
+std::optional<double> parse(std::string_view field) {
+  return field == "-" ? std::numeric_limits<double>::quiet_NaN() : number_in<double>(field);
 }
 
 // The faults that have no metric of their own.
@@ -130,9 +114,9 @@ std::string line_of(const QualityRun& run) {
 std::vector<QualityRun> read_runs(const std::string& path) {
   std::ifstream in(path);
   if (!in) throw InputError(path + ": cannot be opened");
-  std::string line;
-  std::getline(in, line);
-  const std::vector<std::string> header = split(line);
+  std::string first, line;
+  std::getline(in, first);
+  const std::vector<std::string_view> header = split(first, '\t');
   if (!std::equal(
           kLabels.begin(), kLabels.end(), header.begin(),
           header.begin() + static_cast<std::ptrdiff_t>(std::min(header.size(), kLabels.size())))) {
@@ -141,11 +125,11 @@ std::vector<QualityRun> read_runs(const std::string& path) {
   std::vector<QualityRun> runs;
   std::set<std::string> builds;
   for (std::size_t number = 2; std::getline(in, line); ++number) {
-    const std::vector<std::string> fields = split(line);
+    const std::vector<std::string_view> fields = split(line, '\t');
     if (fields.size() != header.size()) {
       throw InputError(text(path, " line ", number, ": has another number of fields"));
     }
-    QualityRun run{fields[0], fields[1], fields[2], 0, {}};
+    QualityRun run{std::string(fields[0]), std::string(fields[1]), std::string(fields[2]), 0, {}};
     for (std::size_t c = 3; c < fields.size(); ++c) {
       const std::optional<double> value = parse(fields[c]);
       if (!value) {

@@ -6,10 +6,12 @@
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "base/check.h"
+#include "io/files/text_scan.h"
 
 namespace deliso {
 namespace {
@@ -29,25 +31,20 @@ constexpr const char* kOptions =
 std::vector<Dataset> choose(std::vector<Dataset> all, const std::string& names) {
   if (names.empty()) return all;
   std::vector<Dataset> chosen;
-  for (std::size_t begin = 0; begin <= names.size();) {
-    const std::size_t end = std::min(names.find(',', begin), names.size());
-    const std::string name = names.substr(begin, end - begin);
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Dataset& d) { return d.name == name; });
-    if (found == all.end()) throw InputError("--only " + name + ": no such data set");
+  for (const std::string_view name : split(names, ',')) {
+    const auto found = std::ranges::find(all, name, &Dataset::name);
+    if (found == all.end()) throw InputError("--only ", name, ": no such data set");
     chosen.push_back(*found);
-    begin = end + 1;
   }
   return chosen;
 }
 
 double positive(std::string_view option, const std::string& value) {
-  char* end = nullptr;
-  const double number = std::strtod(value.c_str(), &end);
-  if (value.empty() || *end != '\0' || !(number > 0 && number < 1e9)) {
-    throw InputError(std::string(option) + " " + value + ": not a positive number");
+  const std::optional<double> number = number_in<double>(value);
+  if (!number || !(*number > 0 && *number < 1e9)) {
+    throw InputError(option, " ", value, ": not a positive number");
   }
-  return number;
+  return *number;
 }
 
 template <class R, class Run>

@@ -38,19 +38,14 @@ Volume turned(const Volume& volume, std::uint64_t n) {
   return volume.visit([&]<class Sample>(const Sample* samples) {
     std::vector<Sample> out;
     out.reserve(volume.sample_count());
-    Index3 at;
-    for (at.k = 0; at.k < dims.k; ++at.k) {
-      for (at.j = 0; at.j < dims.j; ++at.j) {
-        for (at.i = 0; at.i < dims.i; ++at.i) {
-          Index3 of;
-          for (int a = 0; a < 3; ++a) {
-            const auto axis = static_cast<std::size_t>(a);
-            of[turn.from[axis]] = turn.flipped[axis] ? dims[a] - 1 - at[a] : at[a];
-          }
-          out.push_back(samples[volume.index(of.i, of.j, of.k)]);
-        }
+    for_each_place({}, dims + Index3{-1, -1, -1}, [&](Index3 at) {
+      Index3 of;
+      for (int a = 0; a < 3; ++a) {
+        const auto axis = static_cast<std::size_t>(a);
+        of[turn.from[axis]] = turn.flipped[axis] ? dims[a] - 1 - at[a] : at[a];
       }
-    }
+      out.push_back(samples[volume.index(of.i, of.j, of.k)]);
+    });
     return Volume::from_samples(dims, spacing, out);
   });
 }

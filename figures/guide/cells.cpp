@@ -17,14 +17,6 @@ namespace {
 // How the page shows them at first.
 constexpr double kYaw = 0.5, kPitch = 0.5;
 
-// x to the right, y up, z towards the eye.
-Vec3 turned(const Vec3& p) {
-  const double across = std::cos(kYaw) * p.x - std::sin(kYaw) * p.y,
-               deep = std::sin(kYaw) * p.x + std::cos(kYaw) * p.y;
-  return {across, std::cos(kPitch) * p.z + std::sin(kPitch) * deep,
-          std::sin(kPitch) * p.z - std::cos(kPitch) * deep};
-}
-
 struct Seen {
   std::vector<Vec2> points;
   double depth = 0;
@@ -35,7 +27,7 @@ Seen seen(const Panel& panel, const lesson::Polygon& polygon, double lift, const
           const Style& back) {
   Seen out{{}, lift, front, back};
   for (const Vec3& p : polygon) {
-    const Vec3 q = turned(p);
+    const Vec3 q = turned(p, kYaw, kPitch);
     out.points.push_back(panel.at({q.x, q.y}));
     out.depth += q.z / static_cast<double>(polygon.size());
   }
@@ -70,7 +62,8 @@ void draw(Drawing& out, const Panel& panel, const lesson::Cell& cell) {
 double light_on(const lesson::Polygon& polygon) {
   Vec3 normal;
   for (std::size_t n = 0; n < polygon.size(); ++n) {
-    normal = normal + cross(turned(polygon[n]), turned(polygon[(n + 1) % polygon.size()]));
+    const Vec3 &p = polygon[n], &q = polygon[(n + 1) % polygon.size()];
+    normal = normal + cross(turned(p, kYaw, kPitch), turned(q, kYaw, kPitch));
   }
   const Vec3 from{-0.5, 0.6, 0.62};
   return std::max(0.0, dot(normal, from) / std::sqrt(dot(normal, normal)));

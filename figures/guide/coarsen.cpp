@@ -26,14 +26,6 @@ constexpr double kReach = 5;
 // Of ink::kAbove, in the light last.
 constexpr std::array kShades = {"#c9a27c", "#dab892", "#eacbaa", ink::kAbove};
 
-// x to the right, y up, z towards the eye.
-Vec3 turned(const Vec3& p) {
-  const double across = std::cos(kYaw) * p.x - std::sin(kYaw) * p.y,
-               deep = std::sin(kYaw) * p.x + std::cos(kYaw) * p.y;
-  return {across, std::cos(kPitch) * p.z + std::sin(kPitch) * deep,
-          std::sin(kPitch) * p.z - std::cos(kPitch) * deep};
-}
-
 // Draws the facets that face the eye, the nearest last.
 void draw_mesh(Drawing& out, const Panel& panel, const TriMesh& mesh, const Vec3& origin) {
   struct Seen {
@@ -45,7 +37,9 @@ void draw_mesh(Drawing& out, const Panel& panel, const TriMesh& mesh, const Vec3
   for (const Face& face : mesh.faces) {
     if (is_dead(face)) continue;
     std::array<Vec3, 3> p;
-    for (std::size_t i = 0; i < 3; ++i) p[i] = turned(mesh.points[face.v[i]] - origin);
+    for (std::size_t i = 0; i < 3; ++i) {
+      p[i] = turned(mesh.points[face.v[i]] - origin, kYaw, kPitch);
+    }
     const Vec3 normal = area_normal(p[0], p[1], p[2]);
     if (!(normal.z > 0)) continue;
     const Box3 box = box_of(p[0], p[1], p[2]);

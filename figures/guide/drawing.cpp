@@ -18,6 +18,13 @@ void append_path(std::string& out, std::span<const Vec2> points) {
 
 }  // namespace
 
+Vec3 turned(const Vec3& p, double yaw, double pitch) {
+  const double across = std::cos(yaw) * p.x - std::sin(yaw) * p.y,
+               deep = std::sin(yaw) * p.x + std::cos(yaw) * p.y;
+  return {across, std::cos(pitch) * p.z + std::sin(pitch) * deep,
+          std::sin(pitch) * p.z - std::cos(pitch) * deep};
+}
+
 Drawing::Drawing(double width, double height, const char* ground) : width_(width), height_(height) {
   rectangle({0, 0}, {width, height}, {.fill = ground});
 }

@@ -6,9 +6,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/vec2.h"
+#include "base/vec3.h"
 
 namespace deliso::guide {
 
@@ -47,7 +49,18 @@ struct Panel {
   Vec2 at(const Vec2& p) const {
     return {corner.x + scale * (p.x - lo.x), corner.y + size.y - stretch * scale * (p.y - lo.y)};
   }
+  std::vector<Vec2> at(std::vector<Vec2> points) const {
+    for (Vec2& p : points) p = at(p);
+    return points;
+  }
+  std::vector<std::vector<Vec2>> at(std::vector<std::vector<Vec2>> loops) const {
+    for (std::vector<Vec2>& loop : loops) loop = at(std::move(loop));
+    return loops;
+  }
 };
+
+// Returns p as it is seen: x to the right, y up, z towards the eye.
+Vec3 turned(const Vec3& p, double yaw, double pitch);
 
 enum class Anchor { start, middle, end };
 

@@ -27,18 +27,14 @@ Vec2 circumcenter_of(const Plane& t, FaceId f) {
   return a + Vec2{(c.y * bb - b.y * cc) / d, (b.x * cc - c.x * bb) / d};
 }
 
-std::array<Vec2, 3> corners_of(const Plane& t, FaceId f) {
+std::vector<Vec2> corners_of(const Plane& t, FaceId f) {
   const auto& v = t.triangle(f).v;
   return {t.point(v[0]), t.point(v[1]), t.point(v[2])};
 }
 
-std::array<Vec2, 3> on_paper(const Panel& panel, const std::array<Vec2, 3>& p) {
-  return {panel.at(p[0]), panel.at(p[1]), panel.at(p[2])};
-}
-
 void draw_edges(Drawing& out, const Panel& panel, const Plane& t, const Style& style) {
   for (FaceId f = 0; f < t.triangles().size(); ++f) {
-    out.polygon(on_paper(panel, corners_of(t, f)), style);
+    out.polygon(panel.at(corners_of(t, f)), style);
   }
 }
 
@@ -72,12 +68,7 @@ void draw_restricted(Drawing& out, const Panel& panel, const Slice& slice, const
                      const char* title) {
   out.clip_to(panel);
   out.rectangle(panel.corner, panel.size, {.fill = ink::kBelow});
-  std::vector<std::vector<Vec2>> loops;
-  for (const auto& loop : slice.loops()) {
-    loops.emplace_back();
-    for (const Vec2& p : loop) loops.back().push_back(panel.at(p));
-  }
-  out.region(loops, {.stroke = ink::kSigma, .width = 1.5, .fill = ink::kAbove});
+  out.region(panel.at(slice.loops()), {.stroke = ink::kSigma, .width = 1.5, .fill = ink::kAbove});
   std::vector<Vec2> marked;
   for_each_voronoi_edge(sites, [&](FaceId f, int i, const Vec2& from, const Vec2& to) {
     const auto hits = slice.hits(from, to);
@@ -118,7 +109,7 @@ void draw_delaunay(const std::string& folder) {
     if (incircle(c[0], c[1], c[2], p) > 0) zone.push_back(f);
   }
   for (const FaceId f : zone) {
-    out.polygon(on_paper(first, corners_of(t, f)), {.fill = ink::kAbove});
+    out.polygon(first.at(corners_of(t, f)), {.fill = ink::kAbove});
   }
   draw_edges(out, first, t, {.stroke = ink::kBlue, .width = 1});
   for (const FaceId f : zone) {
@@ -137,7 +128,7 @@ void draw_delaunay(const std::string& folder) {
   const VertexId v = t.insert(p);
   out.clip_to(second);
   t.circulate(v, [&](FaceId f, int) {
-    out.polygon(on_paper(second, corners_of(t, f)), {.fill = ink::kAbove});
+    out.polygon(second.at(corners_of(t, f)), {.fill = ink::kAbove});
     return true;
   });
   draw_edges(out, second, t, {.stroke = ink::kBlue, .width = 1});

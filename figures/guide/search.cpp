@@ -18,15 +18,6 @@
 namespace deliso::guide {
 namespace {
 
-std::vector<std::vector<Vec2>> on_paper(const Panel& panel, const Slice& slice) {
-  std::vector<std::vector<Vec2>> loops;
-  for (const auto& loop : slice.loops()) {
-    loops.emplace_back();
-    for (const Vec2& p : loop) loops.back().push_back(panel.at(p));
-  }
-  return loops;
-}
-
 void draw_voxel(Drawing& out, const Panel& panel, int i, int j, const Style& style) {
   const Vec2 corner = panel.at({double(i), j + 1.0});
   out.rectangle(corner, {panel.scale, panel.scale}, style);
@@ -35,7 +26,7 @@ void draw_voxel(Drawing& out, const Panel& panel, int i, int j, const Style& sty
 void draw_background(Drawing& out, const Panel& panel, const Slice& slice) {
   out.clip_to(panel);
   out.rectangle(panel.corner, panel.size, {.fill = ink::kBelow});
-  out.region(on_paper(panel, slice), {.fill = ink::kAbove});
+  out.region(panel.at(slice.loops()), {.fill = ink::kAbove});
 }
 
 // The tree's nodes along a line, as VoxelTree has them (K1 of kdtree/voxel_tree.h).
@@ -100,7 +91,7 @@ std::string counted(const char* before, std::size_t count, const char* after) {
 }
 
 void draw_ray(Drawing& out, const Panel& panel, const Slice& slice, const Vec2& a, const Vec2& b) {
-  out.region(on_paper(panel, slice), {.stroke = ink::kSigma, .width = 1.8});
+  out.region(panel.at(slice.loops()), {.stroke = ink::kSigma, .width = 1.8});
   out.arrow(panel.at(a), panel.at(b), {.stroke = ink::kText, .width = 0.8});
 }
 
@@ -223,7 +214,7 @@ void draw_oracle(const std::string& folder) {
       walk.step();
     }
     DELISO_CHECK(solved == counters.computations);
-    out.region(on_paper(panel, slice), {.stroke = ink::kSigma, .width = 1.8});
+    out.region(panel.at(slice.loops()), {.stroke = ink::kSigma, .width = 1.8});
     out.line(panel.at(center - 8.0 * along), panel.at(center + 8.0 * along),
              {.stroke = ink::kRed, .width = 1, .dashed = true});
     out.dot(panel.at(center), ink::kText, 4.5);
@@ -242,7 +233,7 @@ void draw_oracle(const std::string& folder) {
     });
     const Panel panel{{19, 52.4}, 352.0 / 28, {392, 36}, {352, 264}};
     draw_background(out, panel, slice);
-    out.region(on_paper(panel, slice), {.stroke = ink::kSigma, .width = 1.8});
+    out.region(panel.at(slice.loops()), {.stroke = ink::kSigma, .width = 1.8});
     const auto on_outside = [&](double degrees) {
       const double angle = degrees * std::numbers::pi / 180;
       return slice.hits({33 + 32 * std::cos(angle), 33 + 32 * std::sin(angle)}, {33, 33})[0];

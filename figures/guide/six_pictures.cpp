@@ -63,18 +63,11 @@ struct Scene {
   }
 };
 
-std::vector<Vec2> on_paper(const Panel& panel, std::vector<Vec2> points) {
-  for (Vec2& p : points) p = panel.at(p);
-  return points;
-}
-
 // The voxels, and both sides of Sigma, in light colors.
 void draw_ground(Drawing& out, const Panel& panel, const Slice& slice) {
   out.clip_to(panel);
   out.rectangle(panel.corner, panel.size, {.fill = ink::kBelow});
-  std::vector<std::vector<Vec2>> loops;
-  for (const auto& loop : slice.loops()) loops.push_back(on_paper(panel, loop));
-  out.region(loops, {.fill = ink::kAbove});
+  out.region(panel.at(slice.loops()), {.fill = ink::kAbove});
 }
 
 void draw_grid(Drawing& out, const Panel& panel) {
@@ -89,7 +82,7 @@ void draw_grid(Drawing& out, const Panel& panel) {
 }
 
 void draw_sigma(Drawing& out, const Panel& panel, const Slice& slice, const Style& style) {
-  for (const auto& loop : slice.loops()) out.polygon(on_paper(panel, loop), style);
+  for (const auto& loop : slice.loops()) out.polygon(panel.at(loop), style);
 }
 
 void draw_contour_line(Drawing& out, const Panel& panel, const FlatContour& contour, double width) {
@@ -395,7 +388,7 @@ void draw_insertion_picture(const Scene& scene, const std::string& folder) {
   const auto draw = [&](const Panel& panel) {
     draw_ground(out, panel, scene.slice);
     draw_sigma(out, panel, scene.slice, {.stroke = ink::kSigma, .width = 1.5});
-    out.polygon(on_paper(panel, mesh.loop()), {.stroke = ink::kBlue, .width = 2.5});
+    out.polygon(panel.at(mesh.loop()), {.stroke = ink::kBlue, .width = 2.5});
     for (const Vec2& p : mesh.loop()) out.dot(panel.at(p), ink::kSigma, 4.5);
     out.text(panel.at(f.a) + Vec2{12, 6}, "a", Anchor::start, 15, ink::kText, true);
     out.text(panel.at(f.b) + Vec2{-4, -10}, "b", Anchor::middle, 15, ink::kText, true);
@@ -441,7 +434,7 @@ void draw_mesh_picture(const Scene& scene, const std::string& folder) {
   const FlatFacet worst = mesh.facet(mesh.worst());
   draw_ground(out, panel, scene.slice);
   draw_grid(out, panel);
-  out.polygon(on_paper(panel, mesh.loop()), {.stroke = ink::kBlue, .width = 2.5});
+  out.polygon(panel.at(mesh.loop()), {.stroke = ink::kBlue, .width = 2.5});
   for (std::size_t n = 0; n < mesh.loop().size(); ++n)
     out.dot(panel.at(mesh.loop()[n]), ink::kSigma, 4);
   const auto is_site = [&](const Vec2& p) {

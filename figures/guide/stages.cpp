@@ -262,12 +262,9 @@ void draw_checking(const std::string& folder) {
   const auto begin = [&](const Panel& panel) {
     out.clip_to(panel);
     out.rectangle(panel.corner, panel.size, {.fill = ink::kBelow});
-    std::vector<std::vector<Vec2>> loops(1);
-    for (const Vec2& p : outline) loops[0].push_back(panel.at(p));
+    const std::vector<std::vector<Vec2>> loops{panel.at(outline)};
     out.region(loops, {.stroke = ink::kSigma, .width = 1.5, .fill = ink::kAbove});
-    std::vector<Vec2> polygon;
-    for (const Vec2& p : mesh) polygon.push_back(panel.at(p));
-    out.polygon(polygon, {.stroke = ink::kBlue, .width = 2.5});
+    out.polygon(panel.at(mesh), {.stroke = ink::kBlue, .width = 2.5});
   };
   const auto title = [](const char* words, double worst) {
     std::string text;

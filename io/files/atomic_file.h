@@ -31,7 +31,10 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   void write(std::string_view bytes);
-  // Writes the buffer, closes the file and gives it its name. No write() may follow.
+  // Writes the buffer and closes the file, so that commit() only has to give it its name. For files
+  // that are to appear together: a full disk shows here. No write() may follow.
+  void complete();
+  // Completes the file and gives it its name.
   void commit();
 
   const std::string& path() const { return path_; }

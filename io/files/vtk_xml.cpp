@@ -69,7 +69,9 @@ VtkXml::VtkXml(const Bytes& bytes, std::string_view type, std::string_view use)
 }
 
 XmlTag VtkXml::next() {
-  tag_ = next_tag(text_, tag_.end);
+  do {
+    tag_ = next_tag(text_, tag_.end);
+  } while (tag_.name == "InformationKey" || tag_.name == "Value");  // VTK's notes in an array
   // The bytes after AppendedData need not be markup.
   if (tag_.name == "AppendedData") appended_ = std::exchange(tag_, {{}, {}, text_.size()});
   if (tag_.name.empty()) tag_.end = text_.size();

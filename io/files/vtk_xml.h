@@ -16,6 +16,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/vec3.h"
 #include "io/files/field_reader.h"
 #include "io/files/input_file.h"
 #include "io/files/text_scan.h"
@@ -79,6 +80,20 @@ class VtkXml {
     if (type == "Int64") return each(std::int64_t{});
     fail(array.name.empty() ? "has no array for " + what
                             : text("type ", quote(type), " of ", what, " is not supported"));
+  }
+  // Calls take(p) for each of the points in an array of coordinates. pre: as of for_each().
+  template <class Take>
+  void for_each_point(const XmlTag& array, std::uint64_t points, Take take) const {
+    if (points == 0) return;
+    if (count(array, "NumberOfComponents", 1) != 3) fail("its points have not three coordinates");
+    Vec3 p;
+    int axis = 0;
+    for_each<double>(array, 3 * points, text("the coordinates of ", points, " points"),
+                     [&](double x) {
+                       p[axis] = x;
+                       if (axis == 2) take(p);
+                       axis = (axis + 1) % 3;
+                     });
   }
 
  private:

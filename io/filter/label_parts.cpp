@@ -88,37 +88,32 @@ Numbers places_of_labels(const Segmentation& of, std::span<const LabelSamples> l
 DisjointSets bodies_of(const Numbers& places, const Grid& grid) {
   const Index3 n = grid.dims();
   DisjointSets bodies(places.size());
-  for (int k = 0; k < n.k; ++k) {
-    for (int j = 0; j < n.j; ++j) {
-      for (int i = 0; i < n.i; ++i) {
-        const Index3 at{i, j, k};
-        const auto own = static_cast<std::uint32_t>(grid.index(i, j, k));
-        const auto join = [&](Index3 step) {
-          const Index3 to = at + step;
-          if (to.i < 0 || to.j < 0 || to.i == n.i || to.j == n.j || to.k == n.k) return false;
-          const auto other = static_cast<std::uint32_t>(grid.index(to.i, to.j, to.k));
-          if (places[own] != places[other]) return false;
-          bodies.unite(own, other);
-          return true;
-        };
-        // A neighbor across a face joins all that lie beyond it, in its turn.
-        const bool x = join({1, 0, 0}), y = join({0, 1, 0}), z = join({0, 0, 1});
-        const bool x_low = i > 0 && places[own] == places[own - 1];
-        const bool y_low = j > 0 && places[own] == places[own - static_cast<std::size_t>(n.i)];
-        if (!x && !y) join({1, 1, 0});
-        if (!x_low && !y) join({-1, 1, 0});
-        if (z) continue;
-        if (!x) join({1, 0, 1});
-        if (!x_low) join({-1, 0, 1});
-        if (!y) join({0, 1, 1});
-        if (!y_low) join({0, -1, 1});
-        if (!x && !y) join({1, 1, 1});
-        if (!x_low && !y) join({-1, 1, 1});
-        if (!x && !y_low) join({1, -1, 1});
-        if (!x_low && !y_low) join({-1, -1, 1});
-      }
-    }
-  }
+  for_each_place({}, grid.voxels(), [&](Index3 at) {
+    const auto own = static_cast<std::uint32_t>(grid.index(at.i, at.j, at.k));
+    const auto join = [&](Index3 step) {
+      const Index3 to = at + step;
+      if (to.i < 0 || to.j < 0 || to.i == n.i || to.j == n.j || to.k == n.k) return false;
+      const auto other = static_cast<std::uint32_t>(grid.index(to.i, to.j, to.k));
+      if (places[own] != places[other]) return false;
+      bodies.unite(own, other);
+      return true;
+    };
+    // A neighbor across a face joins all that lie beyond it, in its turn.
+    const bool x = join({1, 0, 0}), y = join({0, 1, 0}), z = join({0, 0, 1});
+    const bool x_low = at.i > 0 && places[own] == places[own - 1];
+    const bool y_low = at.j > 0 && places[own] == places[own - static_cast<std::size_t>(n.i)];
+    if (!x && !y) join({1, 1, 0});
+    if (!x_low && !y) join({-1, 1, 0});
+    if (z) return;
+    if (!x) join({1, 0, 1});
+    if (!x_low) join({-1, 0, 1});
+    if (!y) join({0, 1, 1});
+    if (!y_low) join({0, -1, 1});
+    if (!x && !y) join({1, 1, 1});
+    if (!x_low && !y) join({-1, 1, 1});
+    if (!x && !y_low) join({1, -1, 1});
+    if (!x_low && !y_low) join({-1, -1, 1});
+  });
   return bodies;
 }
 

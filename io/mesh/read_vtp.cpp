@@ -2,18 +2,12 @@
 // VTP: VTK's XML PolyData. Reads the points of its piece and the polygons. The array `connectivity`
 // has the corners of all polygons in order, `offsets` the end of each. The markup and the arrays
 // are in io/files/vtk_xml.h.
-#include <algorithm>
-
 #include "io/files/input_file.h"
 #include "io/files/vtk_xml.h"
 #include "io/mesh/mesh_parsers.h"
 
 namespace deliso {
 namespace {
-
-// The sections of a piece.
-constexpr std::string_view kSections[] = {"Points", "Polys",     "Verts",   "Lines",
-                                          "Strips", "PointData", "CellData"};
 
 class VtpParser {
  public:
@@ -25,7 +19,7 @@ class VtpParser {
     MeshParts mesh;
     for (const std::string_view comment : xml_.comments()) keep_comment(comment, mesh.comments);
     read_structure();
-    read_points(mesh);
+    xml_.for_each_point(coordinates_, points_, [&](const Vec3& p) { mesh.points.push_back(p); });
     read_polygons(mesh);
     read_values(mesh);
     mesh.space = space();
@@ -52,36 +46,22 @@ class VtpParser {
         if (polygons_ > kMostFaces) fail(polygons_, " polygons are too many");
       } else if (tag.name == "/PolyData") {
         whole = true;
-      } else if (std::ranges::find(kSections, tag.name) != std::end(kSections)) {
-        inside = tag.name;
       } else if (tag.name == "Array" && tag.attribute("Name") == "SPACE") {
         space_ = tag;
-      } else if (tag.name == "DataArray" && inside == "Points") {
+      } else if (tag.name != "DataArray") {
+        if (!tag.name.starts_with('/')) inside = tag.name;
+      } else if (inside == "Points") {
         coordinates_ = tag;
-      } else if (tag.name == "DataArray" && inside == "Polys") {
+      } else if (inside == "Polys") {
         if (tag.attribute("Name") == "offsets") offsets_ = tag;
         if (tag.attribute("Name") == "connectivity") connectivity_ = tag;
-      } else if (tag.name == "DataArray" && inside == "CellData") {
+      } else if (inside == "CellData") {
         if (tag.attribute("Name") == "color") colors_ = tag;
         if (tag.attribute("Name") == "label_front") fronts_ = tag;
         if (tag.attribute("Name") == "label_behind") behinds_ = tag;
       }
     }
     if (!whole) fail("ends before </PolyData>");
-  }
-
-  void read_points(MeshParts& mesh) const {
-    if (points_ == 0) return;
-    if (xml_.count(coordinates_, "NumberOfComponents", 1) != 3)
-      fail("its points have not three coordinates");
-    Vec3 p;
-    int axis = 0;
-    xml_.for_each<double>(coordinates_, 3 * points_,
-                          text("the coordinates of ", points_, " points"), [&](double x) {
-                            p[axis] = x;
-                            if (axis == 2) mesh.points.push_back(p);
-                            axis = (axis + 1) % 3;
-                          });
   }
 
   // Returns the space in the field data: a text, as character codes that end with 0.

@@ -76,10 +76,10 @@ class MeditParser {
       if (dimension != 3) fail(name_, "has ", dimension, " dimensions, not 3");
       return;
     }
-    const auto count = number<std::int64_t>("the count of a section");
+    const auto count = number<std::uint64_t>("the count of a section");
     Solid& solid = parts_.solid;
     if (keyword == "Vertices") {
-      for (std::int64_t n = 0; n < count; ++n) {
+      for (std::uint64_t n = 0; n < count; ++n) {
         Vec3 p;
         for (int axis = 0; axis < 3; ++axis) p[axis] = number<double>("a coordinate");
         number<std::int64_t>("the reference of a vertex");
@@ -87,14 +87,14 @@ class MeditParser {
         solid.points.push_back(p);
       }
     } else if (keyword == "Triangles") {
-      for (std::int64_t n = 0; n < count; ++n) {
+      for (std::uint64_t n = 0; n < count; ++n) {
         Wall wall;
         for (VertexId& v : wall.v) v = corner();
         wall.kind = static_cast<std::uint32_t>(number<std::int64_t>("the reference of a triangle"));
         solid.walls.push_back(wall);
       }
     } else if (keyword == "Tetrahedra") {
-      for (std::int64_t n = 0; n < count; ++n) {
+      for (std::uint64_t n = 0; n < count; ++n) {
         Tetrahedron cell;
         for (VertexId& v : cell) v = corner();
         parts_.labels.push_back(number<std::int64_t>("the reference of a tetrahedron"));
@@ -106,10 +106,10 @@ class MeditParser {
     }
   }
 
-  void skip_section(std::string_view keyword, std::int64_t count) {
+  void skip_section(std::string_view keyword, std::uint64_t count) {
     const auto* row = std::ranges::find(kSkipped, keyword, &SkippedRow::keyword);
     if (row == std::end(kSkipped)) fail(name_, quote(keyword), " is not supported");
-    for (std::int64_t n = 0; n < count; ++n) {
+    for (std::uint64_t n = 0; n < count; ++n) {
       for (int k = 0; k < row->numbers; ++k) number<double>("a number that is skipped");
     }
   }

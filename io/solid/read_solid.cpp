@@ -22,6 +22,7 @@ SolidFile parse_solid(std::string_view bytes, SolidFormat format, const std::str
     fail(all.name, "point ", v, " has a coordinate that is no number up to ", kLargestLength,
          " in size");
   }
+  if (solid.cells.empty()) fail(all.name, "has no tetrahedra");
   sort_unique(file.labels);
   for (const std::int64_t label : parts.labels) {
     const auto at = std::ranges::lower_bound(file.labels, label);

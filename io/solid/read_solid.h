@@ -2,9 +2,9 @@
 // Reads a solid of tetrahedra: Medit's .mesh as text, and VTK's .vtu of one piece, in every
 // encoding of VTK but LZ4 and LZMA.
 //
-//   R1  Any bytes give a solid or an InputError of one line. In a solid, corners are below the
-//       number of points, and points are in_range (base/frame.h). Memory is bounded by the file's
-//       size.
+//   R1  Any bytes give a solid or an InputError of one line. In a solid there are cells, corners
+//       are below the number of points, and points are in_range (base/frame.h). Memory is bounded
+//       by the file's size.
 //   R2  Cells and triangles stay as they are; check_solid (check/check_solid.h) finds their faults.
 //   R3  A cell's label is its reference or its value of `region`, 1 if there is none. Regions
 //       are numbered from 1 on, in the order of the labels.

@@ -15,7 +15,8 @@ class VtuParser {
 
   ParsedSolid run() {
     read_structure();
-    read_points();
+    xml_.for_each_point(coordinates_, points_,
+                        [&](const Vec3& p) { parts_.solid.points.push_back(p); });
     read_cells();
     return std::move(parts_);
   }
@@ -48,21 +49,6 @@ class VtuParser {
       }
     }
     if (!is_whole) fail(name_, "ends before </UnstructuredGrid>");
-  }
-
-  void read_points() {
-    if (points_ == 0) return;
-    if (xml_.count(coordinates_, "NumberOfComponents", 1) != 3) {
-      fail(name_, "its points have not three coordinates");
-    }
-    Vec3 p;
-    int axis = 0;
-    xml_.for_each<double>(coordinates_, 3 * points_,
-                          text("the coordinates of ", points_, " points"), [&](double x) {
-                            p[axis] = x;
-                            if (axis == 2) parts_.solid.points.push_back(p);
-                            axis = (axis + 1) % 3;
-                          });
   }
 
   void read_cells() {

@@ -77,6 +77,10 @@ void set_head(MarkedSolid& marked, const std::string& comment) {
   for (std::string& line : marked.head) line = plain_comment(line);
 }
 
+SolidFormat format_for(const std::string& path, std::optional<SolidFormat> asked) {
+  return asked ? *asked : path == "-" ? SolidFormat::medit : solid_format_of(path);
+}
+
 }  // namespace
 
 SolidFormat solid_format_of(std::string_view path) {
@@ -115,18 +119,22 @@ void put_point(AtomicFile& out, const Vec3& p, char after) {
   put_text(out, p.z, after);
 }
 
+std::vector<std::string> solid_files(const std::string& path, std::optional<SolidFormat> format) {
+  if (path.empty() || format_for(path, format) != SolidFormat::tetgen) return {path};
+  if (path == "-") throw InputError("TetGen's format has three files: none for standard output");
+  const std::string base = has_solid_ending(path) ? path.substr(0, path.rfind('.')) : path;
+  return {base + ".node", base + ".ele", base + ".face"};
+}
+
 void write_solid(const Solid& solid, const Frame& frame, const std::string& path,
                  const SolidWriteOptions& options) {
-  const SolidFormat format = options.format ? *options.format
-                             : path == "-"  ? SolidFormat::medit
-                                            : solid_format_of(path);
   MarkedSolid marked;
   marked.solid = written_solid(solid, frame);
   marked.space = short_name_of(frame.space);
   set_labels(marked, options.labels);
   set_markers(marked);
   set_head(marked, options.comment);
-  switch (format) {
+  switch (format_for(path, options.format)) {
     case SolidFormat::medit:
       return write_medit(marked, path);
     case SolidFormat::vtu:

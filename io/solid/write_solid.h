@@ -44,6 +44,10 @@ constexpr bool is_read(SolidFormat format) {
 SolidFormat solid_format_of(std::string_view path);
 bool has_solid_ending(std::string_view path);
 
+// Returns the paths of the files that write_solid writes: three in TetGen's format, named by
+// `path` without its ending. An empty path is none. `format`: as SolidWriteOptions has it.
+std::vector<std::string> solid_files(const std::string& path, std::optional<SolidFormat> format);
+
 // What a region is made of.
 struct RegionLabel {
   std::int64_t number = 0;

@@ -8,9 +8,8 @@ namespace deliso {
 
 void write_tetgen_solid(const MarkedSolid& marked, const std::string& path) {
   const Solid& solid = marked.solid;
-  if (path == "-") throw InputError("TetGen's format has three files: none for standard output");
-  const std::string base = has_solid_ending(path) ? path.substr(0, path.rfind('.')) : path;
-  AtomicFile node(base + ".node"), ele(base + ".ele"), face(base + ".face");
+  const std::vector<std::string> paths = solid_files(path, SolidFormat::tetgen);
+  AtomicFile node(paths[0]), ele(paths[1]), face(paths[2]);
   put_head(node, marked, "# ", "\n");
   put_text(node, solid.points.size(), ' ');
   node.write("3 0 0\n");  // dimensions, values and markers of points
@@ -32,9 +31,8 @@ void write_tetgen_solid(const MarkedSolid& marked, const std::string& path) {
     for (const VertexId v : solid.walls[w].v) put_text(face, v.number(), ' ');
     put_text(face, marked.markers[w], '\n');
   }
-  node.commit();
-  face.commit();
-  ele.commit();
+  for (AtomicFile* file : {&node, &ele, &face}) file->complete();
+  for (AtomicFile* file : {&node, &ele, &face}) file->commit();
 }
 
 }  // namespace deliso

@@ -46,20 +46,22 @@ struct Images {
   std::vector<DicomFile> dicom{};
   std::vector<Bytes> tiff{};
   std::vector<std::string> others{}, unreadable{};
+  std::string fault{};  // of the first that is unreadable
 };
 
 Images images_of(const std::vector<std::string>& paths, bool (*is_dicom)(const Bytes&)) {
   Images images;
   for (const std::string& path : paths) {
     Bytes bytes;
+    std::optional<DicomFile> slice;
     try {
       bytes = open_file(path, NamedBy::file);
-    } catch (const InputError&) {
+      if (is_dicom(bytes)) slice = parse_dicom(bytes);
+    } catch (const InputError& error) {
+      if (images.unreadable.empty()) images.fault = error.what();
       images.unreadable.push_back(path);
       continue;
     }
-    std::optional<DicomFile> slice;
-    if (is_dicom(bytes)) slice = parse_dicom(bytes);
     if (slice) {
       images.dicom.push_back(std::move(*slice));
     } else if (looks_like_tiff(bytes)) {
@@ -86,9 +88,9 @@ Volume read_folder(const VolumeInput& input) {
     refuse_zarr(input.name());
     found = images_of(files_in(input.name(), true), has_dicom_preamble);
   }
-  auto& [dicom, tiff, others, unreadable] = found;
+  auto& [dicom, tiff, others, unreadable, fault] = found;
   if (!unreadable.empty()) {
-    if (has_slices) open_file(unreadable[0], NamedBy::file);  // fails: it may be one of them
+    if (has_slices) throw InputError(fault);  // it may be one of them
     input.warn("files-unreadable", "cannot read ", first_of(unreadable), ": passed over");
   }
   if (!has_slices && dicom.empty()) {

@@ -182,6 +182,7 @@ struct SeveralSeries : InputError {
       : InputError(message...), series(std::move(found)) {}
   std::vector<FoundSeries> series;
   std::vector<std::string> paths{};  // of all files of the folder
+  Diagnostics notes{};               // of reading them
 };
 
 // Returns the volume of `input`: a path of a file or of a folder of slices (DICOM, TIFF), "-"

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/text.h"
-#include "io/files/field_reader.h"
 #include "io/files/text_scan.h"
 #include "io/files/vtk_xml.h"
 #include "io/volume/foreign_formats.h"
@@ -89,23 +88,10 @@ class VtiParser {
       fail(input_.name(), "has ", coordinates_.size(), " arrays of coordinates, not three");
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const XmlTag& array = coordinates_[axis];
-      const std::string what = text("the coordinates along ", "xyz"[axis]);
-      const auto count = static_cast<std::uint64_t>(grid_.dims[axis]);
       std::vector<double> values;
-      const StoredType type = supported_type(input_, array.attribute("type").value_or(""));
-      if (xml_.is_text(array)) {
-        values = to_doubles(xml_.inside(array).text()).value_or(std::vector<double>());
-      } else if (type.wide == StoredType::Wide::no) {
-        with_type(type.type, [&]<class T>(T) {
-          const Bytes data = xml_.binary(array, count * sizeof(T), what);
-          const FieldReader numbers(data.data, xml_.byte_order());
-          for (std::size_t at = 0; at < data.size(); at += sizeof(T)) {
-            values.push_back(static_cast<double>(numbers.get<T>(at)));
-          }
-        });
-      }
-      if (values.size() != count) fail(input_.name(), what, " are not ", count, " numbers");
+      xml_.for_each<double>(coordinates_[axis], static_cast<std::uint64_t>(grid_.dims[axis]),
+                            text("the coordinates along ", "xyz"[axis]),
+                            [&](double x) { values.push_back(x); });
       grid_.set_coordinates(axis, values);
     }
   }

@@ -567,12 +567,7 @@ void keep_near(std::span<const FaceId> faults, const Sheets& changed, const Shee
     const auto& [a, b, c] = changed.facets[f.number()].v;
     const Box3 box = box_of(changed.points[a], changed.points[b], changed.points[c]);
     const Index3 lo = shape.voxel_at(box.lo - margin), hi = shape.voxel_at(box.hi + margin);
-    Index3 at;
-    for (at.k = lo.k; at.k <= hi.k; ++at.k) {
-      for (at.j = lo.j; at.j <= hi.j; ++at.j) {
-        for (at.i = lo.i; at.i <= hi.i; ++at.i) voxels.push_back(voxel_number(shape.dims(), at));
-      }
-    }
+    for_each_place(lo, hi, [&](Index3 at) { voxels.push_back(voxel_number(shape.dims(), at)); });
   }
   sort_unique(voxels);
   for (VertexId v = 0; v < kept.size(); ++v) {

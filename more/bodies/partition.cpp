@@ -152,73 +152,58 @@ std::vector<std::uint64_t> Partition::samples() const {
 std::vector<std::int64_t> Partition::euler_numbers() const {
   std::vector<std::int64_t> eighths(size());
   const Index3 n = shape_.dims();
-  for (int k = 0; k <= n.k; ++k) {
-    for (int j = 0; j <= n.j; ++j) {
-      for (int i = 0; i <= n.i; ++i) {
-        std::array<BodyId, 8> around;
-        for (int m = 0; m < 8; ++m) {
-          const Index3 at{i - (~m & 1), j - (~m >> 1 & 1), k - (~m >> 2 & 1)};
-          const bool is_there =
-              std::min({at.i, at.j, at.k}) >= 0 && at.i < n.i && at.j < n.j && at.k < n.k;
-          around[m] = is_there ? body_at(at) : kNoId;
-        }
-        for (int m = 0; m < 8; ++m) {
-          unsigned cubes = 0;
-          for (int o = 0; o < 8; ++o) cubes |= unsigned{around[o] == around[m]} << o;
-          const bool is_first = std::countr_zero(cubes) == m;
-          if (around[m] != kNoId && is_first) eighths[around[m]] += share_of_corner(cubes);
-        }
-      }
+  for_each_place({}, n, [&](Index3 corner) {
+    std::array<BodyId, 8> around;
+    for (int m = 0; m < 8; ++m) {
+      const Index3 at = corner + Index3{-(~m & 1), -(~m >> 1 & 1), -(~m >> 2 & 1)};
+      const bool is_there =
+          std::min({at.i, at.j, at.k}) >= 0 && at.i < n.i && at.j < n.j && at.k < n.k;
+      around[m] = is_there ? body_at(at) : kNoId;
     }
-  }
+    for (int m = 0; m < 8; ++m) {
+      unsigned cubes = 0;
+      for (int o = 0; o < 8; ++o) cubes |= unsigned{around[o] == around[m]} << o;
+      const bool is_first = std::countr_zero(cubes) == m;
+      if (around[m] != kNoId && is_first) eighths[around[m]] += share_of_corner(cubes);
+    }
+  });
   for (std::int64_t& euler : eighths) euler /= 4;  // of the surface: twice that of the cubes
   return eighths;
 }
 
 Volume Partition::difference(std::array<BodyId, 2> bodies, const SampleBox& box) const {
-  const auto [in_front, behind] = bodies;
-  SampleBox of = box;
+  const BodyId in_front = bodies[0], behind = bodies[1];
+  std::vector<float> samples;
   if (is_beyond(in_front)) {  // the voxels at the face
     const int axis = static_cast<int>(in_front - size()) / 2;
     const bool is_high = (in_front - size()) % 2 != 0;
-    of = {{0, 0, 0}, {1, 1, 1}};
-    if (is_high) {
-      of.end[axis] = shape_.dims()[axis] - 1;
-      of.begin[axis] = of.end[axis] - 1;
-    }
-    std::vector<float> samples(8, 1 - kWithin);
+    Index3 first;
+    if (is_high) first[axis] = shape_.dims()[axis] - 2;
     for (unsigned m = 0; m < 8; ++m) {
-      if (((m >> axis & 1) != 0) == is_high) samples[m] = -kWithin;
+      samples.push_back(((m >> axis & 1) != 0) == is_high ? -kWithin : 1 - kWithin);
     }
-    return Volume::from_samples(shape_.part(of.begin, {2, 2, 2}), samples);
+    return Volume::from_samples(shape_.part(first, {2, 2, 2}), samples);
   }
-  const Index3 n = of.dims();
-  std::vector<float> samples(static_cast<std::size_t>(n.i) * static_cast<std::size_t>(n.j) *
-                             static_cast<std::size_t>(n.k));
+  const Grid block = shape_.part(box.begin, box.dims());
+  samples.resize(block.sample_count());
   for (const float sign : {1.0F, -1.0F}) {
     const Volume& f = fields_[sign > 0 ? behind : in_front];
-    const Index3 first = f.first();
+    const Index3 first = f.first(), end = first + f.dims();
     Index3 lo, hi;  // of the samples in both
     for (int axis = 0; axis < 3; ++axis) {
-      lo[axis] = std::max(of.begin[axis], first[axis]);
-      hi[axis] = std::min(of.end[axis] + 1, first[axis] + f.dims()[axis]);
+      lo[axis] = std::max(box.begin[axis], first[axis]);
+      hi[axis] = std::min(box.end[axis], end[axis] - 1);
     }
     f.visit([&](const auto* values) {
-      for (int k = lo.k; k < hi.k; ++k) {
-        for (int j = lo.j; j < hi.j; ++j) {
-          float* to =
-              &samples[static_cast<std::size_t>(n.i) *
-                       (static_cast<std::size_t>(j - of.begin.j) +
-                        static_cast<std::size_t>(n.j) * static_cast<std::size_t>(k - of.begin.k))];
-          const auto* from = values + f.index(0, j - first.j, k - first.k);
-          for (int i = lo.i; i < hi.i; ++i) {
-            to[i - of.begin.i] += sign * static_cast<float>(from[i - first.i]);
-          }
-        }
-      }
+      for_each_place(lo, hi, [&](Index3 at) {
+        const std::size_t to = block.index(at.i - box.begin.i, at.j - box.begin.j,
+                                           at.k - box.begin.k),
+                          from = f.index(at.i - first.i, at.j - first.j, at.k - first.k);
+        samples[to] += sign * static_cast<float>(values[from]);
+      });
     });
   }
-  return Volume::from_samples(shape_.part(of.begin, n), samples);
+  return Volume::from_samples(block, samples);
 }
 
 std::optional<Vec3> Partition::step_to_tie(const Vec3& p, std::span<const BodyId> bodies,

@@ -132,15 +132,10 @@ void Regions::for_each(Sheets& all, int threads, const Change& change) const {
       is_in_one &=
           lo[axis] == hi[axis] && (lo[axis] == 0 || box.lo[axis] > planes_[axis][lo[axis]]);
     }
-    Index3 at;
-    for (at.k = lo.k; at.k <= hi.k; ++at.k) {
-      for (at.j = lo.j; at.j <= hi.j; ++at.j) {
-        for (at.i = lo.i; at.i <= hi.i; ++at.i) {
-          Region& region = regions[voxel_number(count, at)];
-          (is_in_one ? region.free : region.fixed).push_back(f);
-        }
-      }
-    }
+    for_each_place(lo, hi, [&](Index3 at) {
+      Region& region = regions[voxel_number(count, at)];
+      (is_in_one ? region.free : region.fixed).push_back(f);
+    });
   }
   for_each_task(threads, regions.size(), [&](std::size_t n) {
     Region& region = regions[n];

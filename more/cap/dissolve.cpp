@@ -75,7 +75,7 @@ Dissolved dissolve_others(const Volume& volume, double kappa, const ComponentCho
 
   const std::vector<std::uint32_t> region_of = joined.take_numbers();
   std::vector<Region> regions(1 + *std::max_element(region_of.begin(), region_of.end()));
-  for_each_sample(dims, [&](Index3 p) {
+  for_each_place({}, volume.voxels(), [&](Index3 p) {
     Region& region = regions[region_of[number_of(volume, p)]];
     region.add({1, p, p});
     region.inside = is_inside(volume, p, kappa);

@@ -83,6 +83,16 @@ _PROGRESS = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_do
 _TAKE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int64, ctypes.c_void_p, ctypes.c_int)
 
 
+# Of a solid: the type and the columns of each array.
+_SOLID_ARRAYS = {
+    "points": (ctypes.c_double, 3),
+    "cells": (ctypes.c_uint32, 4),
+    "regions": (ctypes.c_int64, 1),
+    "walls": (ctypes.c_uint32, 3),
+    "kinds": (ctypes.c_uint32, 1),
+}
+
+
 class _Watch(ctypes.Structure):
     _fields_ = [
         ("cancel", ctypes.POINTER(ctypes.c_int)),
@@ -155,11 +165,7 @@ def _load():
         ("text_free", None, pointer),
         ("solid_create", int, pointer, pointer, pointer, pointer),
         ("solid_free", None, pointer),
-        ("solid_points", pointer, pointer, pointer),
-        ("solid_cells", pointer, pointer, pointer),
-        ("solid_regions", pointer, pointer, pointer),
-        ("solid_walls", pointer, pointer, pointer),
-        ("solid_kinds", pointer, pointer, pointer),
+        *(("solid_" + name, pointer, pointer, pointer) for name in _SOLID_ARRAYS),
         ("solid_report", text, pointer),
         ("solid_save", int, pointer, text),
         ("part_create", int, pointer, ctypes.c_double, int, int) + (pointer,) * 4,
@@ -427,6 +433,13 @@ def _watched(call, progress, joins=True, warns=True):
     return value
 
 
+def _made(kind, handle, call, progress):
+    """Returns what call(watch, to) makes, which the handle then owns, as a Mesh or another kind."""
+    to = ctypes.byref(handle)
+    status = _watched(lambda watch: _ok(call(watch, to)), progress)
+    return kind(handle, status == _OK)
+
+
 def _view_of(handle, address, count, kind, columns):
     """A read-only array over the library's memory, which the handle owns."""
     view = numpy.empty((0, columns), kind)
@@ -628,17 +641,9 @@ def mesh(
         return (_shared_labels if shared else _meshes_of_labels)(volume, options, progress)
     if shared:
         raise Error('shared=True is for label="all"')
-    words = _options(options)
-    handle = _MeshHandle()
-    status = _watched(
-        lambda watch: _ok(
-            _library.deliso_mesh_create(
-                volume.handle, _level(isovalue), words, watch, ctypes.byref(handle)
-            )
-        ),
-        progress,
-    )
-    return Mesh(handle, status == _OK)
+    given = volume.handle, _level(isovalue), _options(options)
+    create = _library.deliso_mesh_create
+    return _made(Mesh, _MeshHandle(), lambda watch, to: create(*given, watch, to), progress)
 
 
 def _options_of_all(options):
@@ -646,12 +651,9 @@ def _options_of_all(options):
 
 
 def _shared_labels(volume, options, progress):
-    words, handle = _options_of_all(options), _MeshHandle()
-    to = ctypes.byref(handle)
-    status = _watched(
-        lambda watch: _ok(_library.deliso_mesh_shared(volume.handle, words, watch, to)), progress
-    )
-    return SharedLabels(handle, status == _OK)
+    given = volume.handle, _options_of_all(options)
+    create = _library.deliso_mesh_shared
+    return _made(SharedLabels, _MeshHandle(), lambda watch, to: create(*given, watch, to), progress)
 
 
 def _meshes_of_labels(volume, options, progress):

@@ -11,18 +11,18 @@ from typing import TYPE_CHECKING, Any, Dict, Tuple, Union
 import numpy
 
 from . import (
-    _OK,
+    _SOLID_ARRAYS,
     Mesh,
     Progress,
     _Handle,
     _library,
+    _made,
     _mesh_of,
     _named,
     _ok,
     _options,
     _path,
     _view_of,
-    _watched,
     _with_options,
 )
 
@@ -63,17 +63,12 @@ class Solid:
     def __init__(self, handle, sound=True):
         self._handle = handle
         self.sound = sound
-        self.points = self._view("points", ctypes.c_double, 3)
-        self.cells = self._view("cells", ctypes.c_uint32, 4)
-        self.regions = self._view("regions", ctypes.c_int64, 1).ravel()
-        self.walls = self._view("walls", ctypes.c_uint32, 3)
-        self.kinds = self._view("kinds", ctypes.c_uint32, 1).ravel()
+        for name, (kind, columns) in _SOLID_ARRAYS.items():
+            count = ctypes.c_size_t()
+            address = getattr(_library, "deliso_solid_" + name)(handle, ctypes.byref(count))
+            view = _view_of(handle, address, count.value, kind, columns)
+            setattr(self, name, view.ravel() if columns == 1 else view)
         self.report = json.loads(_library.deliso_solid_report(handle))
-
-    def _view(self, name, kind, columns):
-        count = ctypes.c_size_t()
-        address = getattr(_library, "deliso_solid_" + name)(self._handle, ctypes.byref(count))
-        return _view_of(self._handle, address, count.value, kind, columns)
 
     def save(self, path: Union[str, os.PathLike]) -> None:
         """Writes .vtu, .msh (Gmsh), .mesh (Medit), or .node, .ele and .face (TetGen), by the path's
@@ -107,9 +102,7 @@ def solid(
     Raises Error if the surface is open or crosses itself: the message has the place. Ctrl-C takes
     effect when the solid is made.
     """
-    mesh, words, handle = _mesh_of(surface), _options(options), _SolidHandle()
-    to = ctypes.byref(handle)
-    status = _watched(
-        lambda watch: _ok(_library.deliso_solid_create(mesh._handle, words, watch, to)), progress
-    )
-    return Solid(handle, status == _OK)
+    mesh = _mesh_of(surface)
+    given = mesh._handle, _options(options)
+    create = _library.deliso_solid_create
+    return _made(Solid, _SolidHandle(), lambda watch, to: create(*given, watch, to), progress)

@@ -198,13 +198,9 @@ void SurfaceWork::sum_up() {
   for (int axis = 0; axis < 3; ++axis) {
     Index3 step;
     step[axis] = 1;
-    for (int k = step.k; k <= cells_.k; ++k) {
-      for (int j = step.j; j <= cells_.j; ++j) {
-        for (int i = step.i; i <= cells_.i; ++i) {
-          sums_[at({i, j, k})] += sums_[at({i - step.i, j - step.j, k - step.k})];
-        }
-      }
-    }
+    for_each_place(step, cells_, [&](Index3 to) {
+      sums_[at(to)] += sums_[at({to.i - step.i, to.j - step.j, to.k - step.k})];
+    });
   }
 }
 

@@ -34,11 +34,7 @@ std::vector<std::uint8_t> voxels_at(std::span<const FaceId> facets, const TriMes
     const Triangle& t = mesh.faces[f].v;
     const Box3 box = box_of(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
     const Index3 lo = volume.voxel_at(box.lo - margin), hi = volume.voxel_at(box.hi + margin);
-    for (int k = lo.k; k <= hi.k; ++k) {
-      for (int j = lo.j; j <= hi.j; ++j) {
-        for (int i = lo.i; i <= hi.i; ++i) is_marked[number({i, j, k})] = 1;
-      }
-    }
+    for_each_place(lo, hi, [&](Index3 at) { is_marked[number(at)] = 1; });
   }
   return is_marked;
 }

@@ -36,33 +36,28 @@ FineVoxel::FineVoxel(Index3 factor) : factor_(factor) {
 }
 
 void FineVoxel::sort_lattice_edges() {
-  for (int k = 0; k <= factor_.k; ++k) {
-    for (int j = 0; j <= factor_.j; ++j) {
-      for (int i = 0; i <= factor_.i; ++i) {
-        const Index3 p{i, j, k};
-        for (int axis = 0; axis < 3; ++axis) {
-          if (p[axis] == factor_[axis]) continue;
-          const Slot slot = 3 * point(p) + static_cast<Slot>(axis);
-          int sides = 0, face = 0, edge = 4 * axis, bit = 1;
-          for (int other = 0; other < 3; ++other) {
-            if (other == axis) continue;
-            const bool high = p[other] == factor_[other];
-            if (high) edge += bit;
-            bit *= 2;
-            if (!high && p[other] != 0) continue;
-            ++sides;
-            face = 2 * other + high;
-          }
-          (sides == 2   ? edge_parts_[edge]
-           : sides == 1 ? face_edges_[face]
-                        : inner_edges_)
-              .push_back(slot);
-          all_edges_.push_back(slot);
-          on_edge_[slot] = sides == 2;
-        }
+  for_each_place({}, factor_, [&](Index3 p) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (p[axis] == factor_[axis]) continue;
+      const Slot slot = 3 * point(p) + static_cast<Slot>(axis);
+      int sides = 0, face = 0, edge = 4 * axis, bit = 1;
+      for (int other = 0; other < 3; ++other) {
+        if (other == axis) continue;
+        const bool high = p[other] == factor_[other];
+        if (high) edge += bit;
+        bit *= 2;
+        if (!high && p[other] != 0) continue;
+        ++sides;
+        face = 2 * other + high;
       }
+      (sides == 2   ? edge_parts_[edge]
+       : sides == 1 ? face_edges_[face]
+                    : inner_edges_)
+          .push_back(slot);
+      all_edges_.push_back(slot);
+      on_edge_[slot] = sides == 2;
     }
-  }
+  });
 }
 
 void FineVoxel::load(const Corners& c) {
@@ -147,22 +142,18 @@ void FineVoxel::link_segments(const Cell& cell) {
 void FineVoxel::trace() {
   pieces_.reset();
   Cell cell;
-  for (int k = 0; k < factor_.k; ++k) {
-    for (int j = 0; j < factor_.j; ++j) {
-      for (int i = 0; i < factor_.i; ++i) {
-        cell.at = {i, j, k};
-        const std::uint32_t low = point(cell.at);
-        for (int m = 0; m < 8; ++m) cell.corners[m] = values_[low + corner_offset_[m]];
-        const int mask = mask_of(cell.corners);
-        if (mask == 0 || mask == 255) continue;
-        const VoxelValues values(cell.corners, 0);
-        cell.loops = voxel_loops(mask, values);
-        cell.tube = find_tube(mask, values, cell.loops);
-        cells_.push_back(cell);
-        link_segments(cell);
-      }
-    }
-  }
+  for_each_place({}, factor_ + Index3{-1, -1, -1}, [&](Index3 at) {
+    cell.at = at;
+    const std::uint32_t low = point(at);
+    for (int m = 0; m < 8; ++m) cell.corners[m] = values_[low + corner_offset_[m]];
+    const int mask = mask_of(cell.corners);
+    if (mask == 0 || mask == 255) return;
+    const VoxelValues values(cell.corners, 0);
+    cell.loops = voxel_loops(mask, values);
+    cell.tube = find_tube(mask, values, cell.loops);
+    cells_.push_back(cell);
+    link_segments(cell);
+  });
 }
 
 // Two edges of a voxel have at most one face in common. So a chain from one crossing of the voxel

@@ -71,7 +71,7 @@ std::vector<Vec3> points_below_regions(Sigma& sigma) {
   DisjointSets regions = regions_of_samples(f, sigma.kappa());
   std::vector<Vec3> points;
   SearchCounters not_counted;
-  for_each_sample(f.dims(), [&](Index3 s) {
+  for_each_place({}, f.voxels(), [&](Index3 s) {
     if (regions.find(number_of(f, s)) != number_of(f, s)) return;
     const Vec3 at = f.position(s);
     Vec3 below = at, above = at;

@@ -49,6 +49,17 @@ constexpr Index3 corner_of(Index3 voxel, int m) {
   return voxel + Index3{m & 1, m >> 1 & 1, m >> 2};
 }
 
+// Calls visit(at) for all places from `lo` to `hi`, both included along each axis; x goes fastest.
+template <class Visit>
+void for_each_place(Index3 lo, Index3 hi, Visit&& visit) {
+  Index3 at;
+  for (at.k = lo.k; at.k <= hi.k; ++at.k) {
+    for (at.j = lo.j; at.j <= hi.j; ++at.j) {
+      for (at.i = lo.i; at.i <= hi.i; ++at.i) visit(at);
+    }
+  }
+}
+
 // Returns the voxel's number in scan order; `dims` are the volume's, in samples.
 constexpr std::uint64_t voxel_number(Index3 dims, Index3 voxel) {
   return voxel.i + std::uint64_t(dims.i - 1) * (voxel.j + std::uint64_t(dims.j - 1) * voxel.k);

@@ -10,17 +10,6 @@
 
 namespace deliso {
 
-// Calls visit(sample) for all samples, in the order of their numbers.
-template <class Visit>
-void for_each_sample(Index3 dims, Visit&& visit) {
-  Index3 p;
-  for (p.k = 0; p.k < dims.k; ++p.k) {
-    for (p.j = 0; p.j < dims.j; ++p.j) {
-      for (p.i = 0; p.i < dims.i; ++p.i) visit(p);
-    }
-  }
-}
-
 inline std::uint32_t number_of(const Volume& volume, Index3 p) {
   return static_cast<std::uint32_t>(volume.index(p.i, p.j, p.k));
 }
@@ -31,7 +20,7 @@ inline bool is_inside(const Volume& volume, Index3 p, double kappa) {
 // Returns the regions as sets of the samples' numbers. pre: less than 2^32 samples.
 inline DisjointSets regions_of_samples(const Volume& volume, double kappa) {
   DisjointSets regions(volume.sample_count());
-  for_each_sample(volume.dims(), [&](Index3 p) {
+  for_each_place({}, volume.voxels(), [&](Index3 p) {
     for (int axis = 0; axis < 3; ++axis) {
       Index3 q = p;
       if (--q[axis] >= 0 && is_inside(volume, p, kappa) == is_inside(volume, q, kappa)) {

@@ -183,13 +183,8 @@ Volume Volume::from_function(const Box3& box, Index3 dims, F&& f) {
   }
   require_in_range(dims, step, {.origin = box.lo}, "the box of a function");
   std::vector<double> samples;
-  for (int k = 0; k < dims.k; ++k) {
-    for (int j = 0; j < dims.j; ++j) {
-      for (int i = 0; i < dims.i; ++i) {
-        samples.push_back(f(box.lo + Vec3{i * step.x, j * step.y, k * step.z}));
-      }
-    }
-  }
+  for_each_place({}, dims + Index3{-1, -1, -1},
+                 [&](Index3 at) { samples.push_back(f(box.lo + times(to_vec3(at), step))); });
   return from_samples(dims, step, samples, {.origin = box.lo});
 }
 

@@ -260,3 +260,20 @@ TEST_CASE("a shorter --max-cell and a smaller --growth give more cells; --no-fil
   make(made, surface, " --max-cell 1e-4");
   CHECK(made.refusal.starts_with("--max-cell 1e-04: some "));
 }
+
+TEST_CASE("another output that is one of TetGen's three files is refused") {
+  const TemporaryFolder folder;
+  const std::string surface = folder.write("cube.off", off(kCorners, kTriangles));
+  const std::string words = "solid " + surface + " -q -o " + folder / "cube.node --json ";
+  CHECK(refusal_by([&] { run_solid(parsed(words + folder / "x.json")); }) == "");
+  CHECK(refusal_by([&] {
+          run_solid(parsed(words + folder / "cube.face"));
+        }).starts_with("cannot write '" + (folder / "cube.face") + "': this run writes that"));
+  std::filesystem::create_hard_link(surface, folder / "hard.ele");
+  CHECK(refusal_by([&] {
+          run_solid(parsed("solid " + surface + " -q -o " + folder / "hard.node"));
+        }).starts_with("cannot write '" + (folder / "hard.ele") + "': this run reads that"));
+  CHECK(refusal_by([&] {
+          run_solid(parsed("solid " + surface + " -q --format tetgen -o -"));
+        }).starts_with("TetGen's format has three files"));
+}

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The Python package with the library that was built: the wheel, its tests, and what
-# docs/guide/python.md and the README show (python.md, README.md). Usage: run.sh SOURCE LIBRARY PROGRAM
+# the README and two pages of the guide show. Usage: run.sh SOURCE LIBRARY PROGRAM
 set -eu
 python=
 for candidate in python3 /usr/bin/python3; do
@@ -31,12 +31,19 @@ fi
 for test in test_deliso test_parts test_solids; do
   PYTHONPATH=$work/installed "$python" "$1/tests/python/$test.py" "$3"
 done
-# docs/guide/solve.md shows what `python3 examples/solve_poisson.py cut.svg` prints, and its picture.
+# docs/guide/solve.md: its commands print what it shows, and draw its pictures.
 if "$python" -c 'import scipy' 2>/dev/null; then
-  awk '/^```/ { shows = !shows && /^```text$/; next } shows' "$1/docs/guide/solve.md" >"$work/solve.txt"
-  (cd "$work" && PYTHONPATH=$work/installed "$python" "$1/examples/solve_poisson.py" cut.svg) |
-    diff - "$work/solve.txt"
-  cmp "$work/cut.svg" "$1/docs/guide/figures/solve.svg"
+  for kind in sh text; do
+    awk -v fence="\`\`\`$kind" '/^```/ { shows = !shows && ours && $0 == fence; ours = 0; next }
+                                /^<!-- run by/ { ours = 1 }
+                                shows' "$1/docs/guide/solve.md" >"$work/solve.$kind"
+  done
+  ln -s "$1/examples" "$work/examples"
+  python3() { PYTHONPATH=$work/installed command "$python" "$@"; }
+  # shellcheck disable=SC1091
+  (cd "$work" && . ./solve.sh) | diff - "$work/solve.text"
+  for picture in solve foam; do cmp "$work/$picture.svg" "$1/docs/guide/figures/$picture.svg"; done
+  [ "$(grep -acE '<PointData>.*"displacement".*<CellData>.*"von Mises"' "$work/foam.vtu")" = 1 ]
   echo 'docs/guide/solve.md: run'
 fi
 for page in README.md docs/guide/python.md; do

@@ -2,18 +2,22 @@
 // The contour's topology of many random volumes against an oracle in exact arithmetic
 // (tests/contour/exact_voxel.h).
 //   exact_topology [--first-seed N] [--count M]
+//   exact_topology VOLUME ISOVALUE
 // Seeds first-seed .. first-seed + count - 1 (1 .. 600), each a volume of 2 to 5 samples along each
 // axis: a third with samples of 10^-12 to 10^12 or with saddles at kappa to the last bits
 // (tests/contour/wide_values.h), the others the tiny volumes (stress/tiny_volume.h). Prints each
 // seed that differs, by how many components and how, and a table. Exit status 1 when one does.
+// Or the volume of a file, whose topology is printed; it takes seconds.
 //
 //   cmake --build build --target exact_topology
 //   build/tests/exact_topology --count 30000
+//   build/tests/exact_topology engine.nhdr 40.1
 #include <cstdio>
 #include <string_view>
 
 #include "contour/glued_topology.h"
 #include "contour/wide_values.h"
+#include "io/volume/read_volume.h"
 #include "stress/see_seed.h"
 #include "stress/seeds.h"
 #include "stress/tiny_volume.h"
@@ -45,9 +49,31 @@ TinyVolume make_volume(std::uint64_t seed, WideKind& kind, bool& is_wide) {
   return {Volume::from_samples(dims, {1, 1, 1}, wide.samples), wide.kappa};
 }
 
+// Compares the topology of a file's volume. Returns the exit status.
+int compare_file(const char* path, double isovalue) try {
+  const Volume volume = read_volume(path);
+  const double kappa = geometric_isovalue(volume.type(), isovalue);
+  const auto expected = glue_voxels(volume, kappa);
+  const bool is_exact = expected && kinds_of(summarize_contour(volume, kappa)) == *expected;
+  std::int64_t euler = 0;
+  std::uint64_t loops = 0;
+  for (const auto& [euler_of_component, loops_of_component] : expected.value_or(ComponentKinds{})) {
+    euler += euler_of_component;
+    loops += loops_of_component;
+  }
+  say(path, ": exactly ", expected ? expected->size() : 0, " components, Euler number ", euler,
+      ", ", loops, " boundary loops; the contour ",
+      is_exact ? "has the same, one by one" : "differs");
+  return is_exact ? 0 : 1;
+} catch (const InputError& error) {
+  say(error.what());
+  return 2;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc == 3 && argv[1][0] != '-') return compare_file(argv[1], std::atof(argv[2]));
   const auto seeds = parse_seeds(argc, argv, "exact_topology", 600);
   if (!seeds) return 2;
   const std::uint64_t first_seed = seeds->first, count = seeds->count;

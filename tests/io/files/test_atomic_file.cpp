@@ -2,16 +2,15 @@
 // AtomicFile: whole or not at all, whatever stands at the target and whatever goes wrong.
 #include <doctest/doctest.h>
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <thread>
 
 #include "base/check.h"
 #include "base/random.h"
 #include "io/files/atomic_file.h"
+#include "io/files/file_size_limit.h"
 #include "io/files/temporary_folder.h"
 #include "refusal.h"
 
@@ -29,28 +28,6 @@ void put(const std::string& path, const std::string& bytes) {
 std::string error_of(const std::string& path, const std::string& bytes) {
   return refusal_by([&] { put(path, bytes); });
 }
-
-// Lets files grow to `bytes` only, as a full disk would, without needing one.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) {
-    handler_ = std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit limit = before_;
-    limit.rlim_cur = bytes;
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
 
 }  // namespace
 

@@ -32,6 +32,13 @@ std::string vtk_numbers(const std::vector<double>& values, const VtkForm& form,
   return form.format == "ascii" ? out : vtk_array(out, form, seed);
 }
 
+// An element with what VTK notes in it beside the numbers.
+inline std::string vtk_element(const std::string& tag, const std::string& numbers) {
+  return tag + ">\n" + numbers +
+         "\n<InformationKey name=\"L2_NORM_RANGE\" location=\"vtkDataArray\" length=\"1\">"
+         "<Value index=\"0\">0</Value></InformationKey>\n</DataArray>\n";
+}
+
 // VTP of polygons, with a vertex cell, a line, and arrays of data beside, as VTK writes them. With
 // `wide`, Float64 and Int64, else Float32 and Int32.
 inline std::string vtp(const std::vector<Vec3>& points,
@@ -56,14 +63,10 @@ inline std::string vtp(const std::vector<Vec3>& points,
     std::string tag =
         text("<DataArray type=\"", real ? "Float" : "Int", wide ? 64 : 32, "\" Name=\"", name,
              "\" NumberOfComponents=\"", components, "\" format=\"", form.format, "\"");
-    if (form.format == "appended") {
-      tag += text(" offset=\"", appended.size(), "\"/>\n");
-      appended += block;
-      return tag;
-    }
-    return tag + ">\n" + block +
-           "\n<InformationKey name=\"L2_NORM_RANGE\" location=\"vtkDataArray\" length=\"1\">"
-           "<Value index=\"0\">0</Value></InformationKey>\n</DataArray>\n";
+    if (form.format != "appended") return vtk_element(tag, block);
+    tag += text(" offset=\"", appended.size(), "\"");
+    appended += block;
+    return vtk_element(tag, "");
   };
   std::string file =
       "<?xml version=\"1.0\"?>\n<!-- made by hand -->\n<VTKFile type=\"PolyData\" "

@@ -35,10 +35,10 @@ std::string vtu(const VtkForm& form, bool wide, const std::string& drop = "") {
     std::string tag =
         text("<DataArray type=\"", type, "\" Name=\"", name, "\" NumberOfComponents=\"", components,
              "\" format=\"", form.format, "\"");
-    if (form.format != "appended") return tag + ">\n" + block + "\n</DataArray>\n";
-    tag += text(" offset=\"", appended.size(), "\"/>\n");
+    if (form.format != "appended") return vtk_element(tag, block);
+    tag += text(" offset=\"", appended.size(), "\"");
     appended += block;
-    return tag;
+    return vtk_element(tag, "");
   };
   const auto integers = [&](const std::string& name, const std::vector<double>& values) {
     return array(name, wide ? "Int64" : "Int32",
@@ -176,7 +176,9 @@ TEST_CASE("Medit's format: faults have their words") {
         "'solid.mesh': a coordinate is 'x' at byte 37");
   CHECK(medit_refusal("Vertices 1 0 1e31 0 0 " + end) ==
         "'solid.mesh': point 0 has a coordinate that is no number up to 1e+30 in size");
-  CHECK(medit_refusal(end) == "");
+  CHECK(medit_refusal("Vertices -1 " + kOneCell + end) ==
+        "'solid.mesh': the count of a section is '-1' at byte 34");
+  CHECK(medit_refusal(kFourPoints + end) == "'solid.mesh': has no tetrahedra");
 }
 
 TEST_CASE("files are read by their endings") {

@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "io/files/file_size_limit.h"
 #include "io/files/text_scan.h"
 #include "io/solid/read_solid.h"
 #include "io/solid/solids.h"
@@ -262,7 +263,8 @@ TEST_CASE("a solid is written whole or not at all") {
   CHECK_FALSE(has_solid_ending(".msh"));
   SolidWriteOptions options;
   options.format = SolidFormat::tetgen;
-  CHECK(refusal_by([&] { write_solid(solid, {}, "-", options); }) != "");
+  CHECK(refusal_by([&] { write_solid(solid, {}, "-", options); }) ==
+        "TetGen's format has three files: none for standard output");
   const TemporaryFolder folder;
   // The third file has the name of a folder that is not empty: none of the three is left.
   std::filesystem::create_directories(folder.path() / "solid.face" / "x");
@@ -273,4 +275,31 @@ TEST_CASE("a solid is written whole or not at all") {
     CHECK(refusal_by([&] { write_solid(solid, {}, folder / "no/solid", options); }) != "");
   }
   CHECK(folder.file_count() == 1);
+}
+
+TEST_CASE("a disk that is full before the last of TetGen's files leaves all three as they were") {
+  Solid solid = cube(1);
+  for (int doubled = 0; doubled < 4; ++doubled) {  // so that the file of cells is the longest
+    solid.cells.insert(solid.cells.end(), solid.cells.begin(), solid.cells.end());
+    solid.regions.insert(solid.regions.end(), solid.regions.begin(), solid.regions.end());
+  }
+  const TemporaryFolder folder;
+  const std::vector<std::string> paths = solid_files(folder / "solid.ele", {});
+  CHECK(paths == std::vector<std::string>{folder / "solid.node", folder / "solid.ele",
+                                          folder / "solid.face"});
+  write_solid(solid, {}, paths[0]);
+  std::vector<std::size_t> sizes;
+  for (const std::string& path : paths) sizes.push_back(file_bytes(path).size());
+  CHECK(sizes[1] > sizes[0]);
+  for (const std::size_t size : sizes) {
+    for (const std::string& path : paths) write_bytes(path, "old");
+    std::string refusal;
+    {
+      const FileSizeLimit full(size - 1);
+      refusal = refusal_by([&] { write_solid(solid, {}, paths[0]); });
+    }
+    CHECK(refusal.ends_with("File too large"));
+    for (const std::string& path : paths) CHECK(file_bytes(path) == "old");
+    CHECK(folder.file_count() == 3);
+  }
 }

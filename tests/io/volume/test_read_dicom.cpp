@@ -195,6 +195,26 @@ TEST_CASE(
         }).ends_with(", or a file; cannot read 'secret' and 1 more"));
 }
 
+TEST_CASE("a damaged file stops a folder of slices, and is told of in a folder of folders") {
+  const TemporaryFolder folder;
+  const Truth truth = oblique_truth(SampleType::i16);
+  const std::string series = write_series(folder, truth), top = folder.path("");
+  std::string bytes = file_bytes(series + "/" + kNames[0]);
+  std::filesystem::create_directories(folder.path("other"));
+  const auto is_damaged = [&] {
+    return read_message(folder.write("other/damaged", bytes)).find("is damaged, or ends") !=
+           std::string::npos;
+  };
+  while (!is_damaged() && !bytes.empty()) bytes.pop_back();  // up to within an element
+  REQUIRE(!bytes.empty());
+  ReadLog log;
+  CHECK(bytes_of_samples(read_volume(top, {}, &log)) == truth.bytes);
+  REQUIRE(has(log.notes, "files-unreadable"));
+  CHECK(text_of(log.notes[0]).ends_with("cannot read 'damaged': passed over"));
+  folder.write("series/damaged", bytes);
+  CHECK(read_message(series).starts_with("series/damaged: is damaged, or ends too early"));
+}
+
 TEST_CASE("each fault of a series has its message, with the file") {
   const TemporaryFolder folder;
   const Truth truth = oblique_truth(SampleType::u16);

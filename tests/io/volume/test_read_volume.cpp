@@ -222,7 +222,7 @@ TEST_CASE("a rectilinear grid of VTK has its coordinates, in text and in bytes")
     CHECK(volume.sample(1, 1, 2) == 16 * 16 % 17);
   }
   CHECK(read_message(file(x + y)) == "v.vtr: has 2 arrays of coordinates, not three");
-  CHECK(read_message(file(x + z + y)) == "v.vtr: the coordinates along y are not 2 numbers");
+  CHECK(read_message(file(x + z + y)) == "v.vtr: more than 2 numbers for the coordinates along y");
   CHECK(read_message(file(array("0 1 1") + y + z)) ==
         "v.vtr: its coordinates along x do not increase at sample 2");
   // Those of a text file stand for any other.
