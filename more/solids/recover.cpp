@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/cancel.h"
+#include "base/triangle.h"
 #include "exact/predicates.h"
 #include "more/solids/moves.h"
 #include "more/solids/quality.h"
@@ -33,6 +34,14 @@ struct Pierced {
 
 using Corners = std::array<VertexId, 3>;
 
+double largest_coordinate(const IdArray<VertexId, Vec3>& points) {
+  double largest = 0;
+  for (const Vec3& p : points) {
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  }
+  return largest;
+}
+
 class Recovery {
  public:
   Recovery(CellMesh& mesh, std::vector<Wall>& walls, int turn)
@@ -40,6 +49,7 @@ class Recovery {
         walls_(walls),
         wall_edges_(walls, mesh.points.size()),
         most_cuts_(1000 + walls.size()),
+        largest_coordinate_(largest_coordinate(mesh.points)),
         is_reversed_(turn % 2 == 1),
         share_cut_(turn < 2 ? 8 : 64) {}
 
@@ -91,6 +101,8 @@ class Recovery {
   static constexpr std::size_t kMostInZone = 24;
   // At once. Of ten families of hard skins no wall that was recovered had more.
   static constexpr std::size_t kMostCutsOfWall = 200;
+  // Of an area: times the largest coordinate and the wall's longest edge.
+  static constexpr double kMostRounding = 4e-13;
 
   const Vec3& at(VertexId v) const { return mesh_.points[v]; }
   std::size_t missing() const { return edges_.size() + missing_.size(); }
@@ -209,7 +221,7 @@ class Recovery {
     return shape(at(c), at(b), at(a), p) > hardly;
   }
 
-  // True if every wall's edge of the zone's cells is on the zone's boundary.
+  // True if every wall's edge and corner of the zone's cells is on the zone's boundary.
   bool keeps_edges(std::span<const CellId> zone) const {
     const auto for_each_edge = [](const Tetrahedron& v, int but, auto&& visit) {
       for (int i = 0; i < 4; ++i) {
@@ -229,6 +241,12 @@ class Recovery {
     }
     bool kept = true;
     for (CellId c : zone) {
+      for (VertexId v : mesh_.corners(c)) {
+        if (wall_edges_.has_any(v) && std::ranges::none_of(outer, [&](const auto& edge) {
+              return edge.first == v || edge.second == v;
+            }))
+          return false;
+      }
       for_each_edge(mesh_.corners(c), -1, [&](VertexId u, VertexId w) {
         if (wall_edges_.has(u, w) &&
             std::ranges::find(outer, std::pair<VertexId, VertexId>(std::minmax(u, w))) ==
@@ -357,6 +375,24 @@ class Recovery {
     return is_filled;
   }
 
+  // True if the areas of `facets_` sum up to the wall's, but for a rounding, and those that another
+  // wall has are as small: they are not folded, and no wall covers another one.
+  bool fits(const Corners& v) {
+    const double longest = std::sqrt(longest_edge2(at(v[0]), at(v[1]), at(v[2])));
+    const double rounding = kMostRounding * largest_coordinate_ * longest;
+    double sum = 0, shared = 0;
+    for (const Corners& facet : facets_) {
+      const double area = twice_area(facet);
+      sum += area;
+      if (mesh_.is_wall(mesh_.facet_with(facet[0], facet[1], facet[2]))) shared += area;
+    }
+    const double whole = twice_area(v);
+    return std::max(sum - whole, shared) <= rounding + 1e-13 * whole;
+  }
+  double twice_area(const Corners& v) const {
+    return length(area_normal(at(v[0]), at(v[1]), at(v[2])));
+  }
+
   // Returns the part that is this facet from its other side, or null.
   Wall* other_side(const Corners& v) {
     const auto found = std::ranges::find_if(parts_, [&](const Wall& part) {
@@ -396,6 +432,7 @@ class Recovery {
     for (std::size_t tries = 0; tries < kMostTries + (may_cut ? kMostCutsOfWall : 0); ++tries) {
       if (follow(v, border, on)) {
         if (border.size() == 3 && facets_.size() == 1) return mark(v);
+        if (!fits(v)) return false;
         for (const Corners& facet : facets_) {
           add_part({facet, walls_[w].front, walls_[w].behind, walls_[w].kind});
         }
@@ -456,6 +493,7 @@ class Recovery {
   WallEdges wall_edges_;
   // Rounded edges that nearly touch may go on for ever: then another order is tried.
   std::size_t most_cuts_;
+  double largest_coordinate_;
   bool is_reversed_;
   // Of the edges or walls that moves leave, one in as many is cut before moves are tried again.
   std::size_t share_cut_;

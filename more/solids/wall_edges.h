@@ -29,6 +29,7 @@ class WallEdges {
   bool has(VertexId a, VertexId b) const {
     return a < next_.size() && std::ranges::find(next_[a], b) != next_[a].end();
   }
+  bool has_any(VertexId a) const { return a < next_.size() && !next_[a].empty(); }
   void cut(VertexId a, VertexId b, VertexId x) {
     std::ranges::replace(next_[a], b, x);
     std::ranges::replace(next_[b], a, x);
