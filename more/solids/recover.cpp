@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -343,8 +344,8 @@ class Recovery {
         if (is_sure || i > size) i = k;
         if (is_sure) break;
       }
-      for (std::size_t k = 1; k <= size && i > size; ++k) {
-        if (side(k - 1) < 0 && side(k) == 0) i = k;
+      for (std::size_t k = 0; k < size && i > size; ++k) {
+        if (side(k) == 0 && side(k + 1) < 0) i = k;
       }
       if (i > size || !ring_.is_closed) return false;
       i %= size;
@@ -428,6 +429,7 @@ class Recovery {
     const Corners v = walls_[w].v;
     const std::vector<VertexId> border = wall_edges_.border(v);
     std::vector<VertexId> on = border;
+    if (cuts_of_.contains(w)) on.insert(on.end(), cuts_of_[w].begin(), cuts_of_[w].end());
     const auto may_join = [&](VertexId p, VertexId q) { return !crosses(v, p, q); };
     for (std::size_t tries = 0; tries < kMostTries + (may_cut ? kMostCutsOfWall : 0); ++tries) {
       if (follow(v, border, on)) {
@@ -452,6 +454,7 @@ class Recovery {
       }
       if (x == kNoId) return false;
       on.push_back(x);
+      cuts_of_[w].push_back(x);
     }
     return false;
   }
@@ -500,6 +503,7 @@ class Recovery {
   RecoveryCounts counts_;
   std::deque<std::pair<VertexId, VertexId>> edges_;
   std::deque<std::size_t> missing_;
+  std::map<std::size_t, std::vector<VertexId>> cuts_of_;  // a wall, inside
   std::vector<Wall> parts_;       // of walls that were cut
   std::vector<Corners> facets_;   // by follow()
   std::vector<Pierced> pierced_;  // by follow()
