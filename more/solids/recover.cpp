@@ -357,7 +357,9 @@ class Recovery {
       }
       const VertexId next = ring_.v[(i + 1) % size];
       const Facet facet{ring_.cells[i], corner_index(mesh_.corners(ring_.cells[i]), next)};
-      if (mesh_.is_wall(facet) && other_side({a, b, c}) == nullptr) return false;
+      if (bool is_swapped = false;
+          mesh_.is_wall(facet) && part_with({a, b, c}, is_swapped) == nullptr)
+        return false;
       if (facets_.size() > 2 * on.size()) {  // no disk has so many
         pierced_.clear();
         return false;
@@ -394,11 +396,13 @@ class Recovery {
     return length(area_normal(at(v[0]), at(v[1]), at(v[2])));
   }
 
-  // Returns the part that is this facet from its other side, or null.
-  Wall* other_side(const Corners& v) {
+  // Returns the part that is this facet, seen from the same side, or with its regions swapped.
+  // Null if the facet is no part, or a whole wall.
+  Wall* part_with(const Corners& v, bool& is_swapped) {
     const auto found = std::ranges::find_if(parts_, [&](const Wall& part) {
       const auto& [a, b, c] = part.v;
-      return v == Corners{b, a, c} || v == Corners{c, b, a} || v == Corners{a, c, b};
+      is_swapped = v == Corners{b, a, c} || v == Corners{c, b, a} || v == Corners{a, c, b};
+      return is_swapped || v == part.v || v == Corners{b, c, a} || v == Corners{c, a, b};
     });
     return found == parts_.end() ? nullptr : &*found;
   }
@@ -412,11 +416,14 @@ class Recovery {
       parts_.push_back(part);
       return;
     }
-    Wall& other = *other_side(part.v);
-    if (other.front == part.front) {
-      other.front = part.behind;
+    bool is_swapped = false;
+    Wall& other = *part_with(part.v, is_swapped);
+    const auto [front, behind] =
+        is_swapped ? std::pair(part.behind, part.front) : std::pair(part.front, part.behind);
+    if (other.front == behind) {
+      other.front = front;
     } else {
-      other.behind = part.front;
+      other.behind = behind;
     }
     if (other.front != other.behind) return;
     mesh_.set_wall(f, false);
@@ -504,9 +511,9 @@ class Recovery {
   std::deque<std::pair<VertexId, VertexId>> edges_;
   std::deque<std::size_t> missing_;
   std::map<std::size_t, std::vector<VertexId>> cuts_of_;  // a wall, inside
-  std::vector<Wall> parts_;       // of walls that were cut
-  std::vector<Corners> facets_;   // by follow()
-  std::vector<Pierced> pierced_;  // by follow()
+  std::vector<Wall> parts_;                               // of walls that were cut
+  std::vector<Corners> facets_;                           // by follow()
+  std::vector<Pierced> pierced_;                          // by follow()
   std::vector<CellId> star_;
   Ring ring_;
 };
