@@ -338,11 +338,14 @@ class Recovery {
       // The last vertex that is not in front before one that is. Rounding may show more of them
       // beyond the wall's edge, or none.
       std::size_t i = size + 1;
+      int most_sure = 0;
       for (std::size_t k = 0; k < size; ++k) {
         if (side(k) > 0 || side(k + 1) <= 0) continue;
-        const bool is_sure = side(k) == 0 || crosses(v, ring_.v[k], ring_.v[(k + 1) % size]);
-        if (is_sure || i > size) i = k;
-        if (is_sure) break;
+        std::size_t from = k + size;
+        while (from > k + 1 && side(from) == 0) --from;
+        const int sure = side(k) == 0 ? (side(from) < 0 ? 3 : 2)
+                         : crosses(v, ring_.v[k], ring_.v[(k + 1) % size]) ? 3 : 1;
+        if (sure > most_sure) i = k, most_sure = sure;
       }
       for (std::size_t k = 0; k < size && i > size; ++k) {
         if (side(k) == 0 && side(k + 1) < 0) i = k;
