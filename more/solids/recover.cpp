@@ -311,6 +311,14 @@ class Recovery {
     return true;
   }
 
+  // True if the border goes from a to b.
+  static bool follows(std::span<const VertexId> border, VertexId a, VertexId b) {
+    for (std::size_t n = 0; n < border.size(); ++n) {
+      if (border[n] == a) return border[(n + 1) % border.size()] == b;
+    }
+    return false;
+  }
+
   // Follows the wall from its border `on` inwards, facet by facet: sets `facets_`, and `pierced_`
   // to the edges that are in the way. A vertex of `on` is on the wall, whatever its rounded place;
   // another one is in front or behind. Returns whether the facets fill the border.
@@ -335,12 +343,16 @@ class Recovery {
       find_ring(mesh_, cell, a, b, ring_);
       const std::size_t size = ring_.v.size();
       const auto side = [&](std::size_t k) { return side_of(ring_.v[k % size]); };
+      // A facet beyond the border has an edge of it the other way round.
+      const auto leaves = [&, a = a, b = b](std::size_t k) {
+        return follows(border, ring_.v[k], b) || follows(border, a, ring_.v[k]);
+      };
       // The last vertex that is not in front before one that is. Rounding may show more of them
       // beyond the wall's edge, or none.
       std::size_t i = size + 1;
       int most_sure = 0;
       for (std::size_t k = 0; k < size; ++k) {
-        if (side(k) > 0 || side(k + 1) <= 0) continue;
+        if (side(k) > 0 || side(k + 1) <= 0 || leaves(k)) continue;
         std::size_t from = k + size;
         while (from > k + 1 && side(from) == 0) --from;
         const int sure = side(k) == 0 ? (side(from) < 0 ? 3 : 2)
@@ -348,7 +360,7 @@ class Recovery {
         if (sure > most_sure) i = k, most_sure = sure;
       }
       for (std::size_t k = 0; k < size && i > size; ++k) {
-        if (side(k) == 0 && side(k + 1) < 0) i = k;
+        if (side(k) == 0 && side(k + 1) < 0 && !leaves(k)) i = k;
       }
       if (i > size || !ring_.is_closed) return false;
       i %= size;
