@@ -29,8 +29,8 @@ struct Ring {
 void find_ring(const CellMesh& mesh, CellId first, VertexId a, VertexId b, Ring& ring);
 double least_shape(const CellMesh& mesh, std::span<const CellId> cells);
 
-// Below the shape of each positively oriented cell, over that of others. The shape of a flat one may
-// be rounded to 0.
+// Below the shape of each positively oriented cell, over that of others. The shape of a flat one
+// may be rounded to 0.
 inline constexpr double kPositive = -.5;
 inline constexpr std::size_t kMostAround = 12;  // cells around an edge that is removed
 

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "base/cancel.h"
-#include "base/triangle.h"
 #include "exact/predicates.h"
+#include "more/solids/follow_wall.h"
 #include "more/solids/moves.h"
 #include "more/solids/quality.h"
 #include "more/solids/wall_edges.h"
@@ -27,30 +27,15 @@ struct Crossing {
   int edge = -1;
 };
 
-// An edge p q of cells that crosses a wall, and a cell at it.
-struct Pierced {
-  CellId cell;
-  VertexId p, q;
-};
-
-using Corners = std::array<VertexId, 3>;
-
-double largest_coordinate(const IdArray<VertexId, Vec3>& points) {
-  double largest = 0;
-  for (const Vec3& p : points) {
-    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-  }
-  return largest;
-}
-
 class Recovery {
  public:
   Recovery(CellMesh& mesh, std::vector<Wall>& walls, int turn)
       : mesh_(mesh),
         walls_(walls),
         wall_edges_(walls, mesh.points.size()),
+        parts_(mesh),
+        follower_(mesh, parts_),
         most_cuts_(1000 + walls.size()),
-        largest_coordinate_(largest_coordinate(mesh.points)),
         is_reversed_(turn % 2 == 1),
         share_cut_(turn < 2 ? 8 : 64) {}
 
@@ -92,7 +77,7 @@ class Recovery {
       in_vain = missing() < left || cuts() > cut ? 0 : in_vain + tried;
     }
     std::erase_if(walls_, [](const Wall& wall) { return wall.v[0] == kNoId; });
-    walls_.insert(walls_.end(), parts_.begin(), parts_.end());
+    walls_.insert(walls_.end(), parts_.walls().begin(), parts_.walls().end());
     return counts_;
   }
 
@@ -100,10 +85,8 @@ class Recovery {
   // Tries before an edge or a wall is cut.
   static constexpr std::size_t kMostTries = 24;
   static constexpr std::size_t kMostInZone = 24;
-  // At once. Of ten families of hard skins no wall that was recovered had more.
+  // At once: then the wall is tried again after the others.
   static constexpr std::size_t kMostCutsOfWall = 200;
-  // Of an area: times the largest coordinate and the wall's longest edge.
-  static constexpr double kMostRounding = 4e-13;
 
   const Vec3& at(VertexId v) const { return mesh_.points[v]; }
   std::size_t missing() const { return edges_.size() + missing_.size(); }
@@ -300,179 +283,33 @@ class Recovery {
     edges_.emplace_back(a, b);
   }
 
-  // True if the segment p q crosses the inside of the wall. Exact; false where it touches.
-  bool crosses(const Corners& wall, VertexId p, VertexId q) const {
-    const auto& [a, b, c] = wall;
-    const int side = orient3d(at(a), at(b), at(c), at(p));
-    if (side * orient3d(at(a), at(b), at(c), at(q)) >= 0) return false;
-    for (int k = 0; k < 3; ++k) {
-      if (side * orient3d(at(wall[k]), at(wall[(k + 1) % 3]), at(q), at(p)) <= 0) return false;
-    }
-    return true;
-  }
-
-  // True if the border goes from a to b.
-  static bool follows(std::span<const VertexId> border, VertexId a, VertexId b) {
-    for (std::size_t n = 0; n < border.size(); ++n) {
-      if (border[n] == a) return border[(n + 1) % border.size()] == b;
-    }
-    return false;
-  }
-
-  // Follows the wall from its border `on` inwards, facet by facet: sets `facets_`, and `pierced_`
-  // to the edges that are in the way. A vertex of `on` is on the wall, whatever its rounded place;
-  // another one is in front or behind. Returns whether the facets fill the border.
-  bool follow(const Corners& v, std::span<const VertexId> border, std::span<const VertexId> on) {
-    const auto side_of = [&](VertexId p) {
-      if (std::ranges::find(on, p) != on.end()) return 0;
-      return orient3d(at(v[0]), at(v[1]), at(v[2]), at(p)) < 0 ? -1 : 1;
-    };
-    facets_.clear();
-    pierced_.clear();
-    // Directed edges that want a facet to their left.
-    std::vector<std::pair<VertexId, VertexId>> front;
-    for (std::size_t n = 0; n < border.size(); ++n) {
-      front.emplace_back(border[n], border[(n + 1) % border.size()]);
-    }
-    bool is_filled = true;
-    for (std::size_t n = 0; n < front.size(); ++n) {
-      const auto [a, b] = front[n];
-      if (a == kNoId) continue;
-      const CellId cell = mesh_.cell_with(a, b);
-      if (cell == kNoId) return false;
-      find_ring(mesh_, cell, a, b, ring_);
-      const std::size_t size = ring_.v.size();
-      const auto side = [&](std::size_t k) { return side_of(ring_.v[k % size]); };
-      // A facet beyond the border has an edge of it the other way round.
-      const auto leaves = [&, a = a, b = b](std::size_t k) {
-        return follows(border, ring_.v[k], b) || follows(border, a, ring_.v[k]);
-      };
-      // The last vertex that is not in front before one that is. Rounding may show more of them
-      // beyond the wall's edge, or none.
-      std::size_t i = size + 1;
-      int most_sure = 0;
-      for (std::size_t k = 0; k < size; ++k) {
-        if (side(k) > 0 || side(k + 1) <= 0 || leaves(k)) continue;
-        std::size_t from = k + size;
-        while (from > k + 1 && side(from) == 0) --from;
-        const int sure = side(k) == 0 ? (side(from) < 0 ? 3 : 2)
-                         : crosses(v, ring_.v[k], ring_.v[(k + 1) % size]) ? 3 : 1;
-        if (sure > most_sure) i = k, most_sure = sure;
-      }
-      for (std::size_t k = 0; k < size && i > size; ++k) {
-        if (side(k) == 0 && side(k + 1) < 0 && !leaves(k)) i = k;
-      }
-      if (i > size || !ring_.is_closed) return false;
-      i %= size;
-      const VertexId c = ring_.v[i];
-      if (side(i) < 0) {
-        pierced_.push_back({ring_.cells[i], c, ring_.v[(i + 1) % size]});
-        is_filled = false;
-        continue;
-      }
-      const VertexId next = ring_.v[(i + 1) % size];
-      const Facet facet{ring_.cells[i], corner_index(mesh_.corners(ring_.cells[i]), next)};
-      if (bool is_swapped = false;
-          mesh_.is_wall(facet) && part_with({a, b, c}, is_swapped) == nullptr)
-        return false;
-      if (facets_.size() > 2 * on.size()) {  // no disk has so many
-        pierced_.clear();
-        return false;
-      }
-      facets_.push_back({a, b, c});
-      front[n].first = kNoId;
-      for (const auto& [from, to] : {std::pair{b, c}, {c, a}}) {
-        const auto open = std::ranges::find(front, std::pair(from, to));
-        if (open != front.end()) {
-          open->first = kNoId;
-        } else {
-          front.emplace_back(to, from);
-        }
-      }
-    }
-    return is_filled;
-  }
-
-  // True if the areas of `facets_` sum up to the wall's, but for a rounding, and those that another
-  // wall has are as small: they are not folded, and no wall covers another one.
-  bool fits(const Corners& v) {
-    const double longest = std::sqrt(longest_edge2(at(v[0]), at(v[1]), at(v[2])));
-    const double rounding = kMostRounding * largest_coordinate_ * longest;
-    double sum = 0, shared = 0;
-    for (const Corners& facet : facets_) {
-      const double area = twice_area(facet);
-      sum += area;
-      if (mesh_.is_wall(mesh_.facet_with(facet[0], facet[1], facet[2]))) shared += area;
-    }
-    const double whole = twice_area(v);
-    return std::max(sum - whole, shared) <= rounding + 1e-13 * whole;
-  }
-  double twice_area(const Corners& v) const {
-    return length(area_normal(at(v[0]), at(v[1]), at(v[2])));
-  }
-
-  // Returns the part that is this facet, seen from the same side, or with its regions swapped.
-  // Null if the facet is no part, or a whole wall.
-  Wall* part_with(const Corners& v, bool& is_swapped) {
-    const auto found = std::ranges::find_if(parts_, [&](const Wall& part) {
-      const auto& [a, b, c] = part.v;
-      is_swapped = v == Corners{b, a, c} || v == Corners{c, b, a} || v == Corners{a, c, b};
-      return is_swapped || v == part.v || v == Corners{b, c, a} || v == Corners{c, a, b};
-    });
-    return found == parts_.end() ? nullptr : &*found;
-  }
-
-  // Makes the facet part of a wall. Where a cut left an edge beside its line, two walls of the edge
-  // may have the facet between: then what is in front of one is beyond the other.
-  void add_part(const Wall& part) {
-    const Facet f = mesh_.facet_with(part.v[0], part.v[1], part.v[2]);
-    if (!mesh_.is_wall(f)) {
-      mesh_.set_wall(f);
-      parts_.push_back(part);
-      return;
-    }
-    bool is_swapped = false;
-    Wall& other = *part_with(part.v, is_swapped);
-    const auto [front, behind] =
-        is_swapped ? std::pair(part.behind, part.front) : std::pair(part.front, part.behind);
-    if (other.front == behind) {
-      other.front = front;
-    } else {
-      other.behind = behind;
-    }
-    if (other.front != other.behind) return;
-    mesh_.set_wall(f, false);
-    other = parts_.back();
-    parts_.pop_back();
-  }
-
   // Returns whether the wall is there now.
   bool recover_wall(std::size_t w, bool may_cut) {
     const Corners v = walls_[w].v;
     const std::vector<VertexId> border = wall_edges_.border(v);
     std::vector<VertexId> on = border;
     if (cuts_of_.contains(w)) on.insert(on.end(), cuts_of_[w].begin(), cuts_of_[w].end());
-    const auto may_join = [&](VertexId p, VertexId q) { return !crosses(v, p, q); };
+    const auto may_join = [&](VertexId p, VertexId q) { return !crosses(mesh_.points, v, p, q); };
     for (std::size_t tries = 0; tries < kMostTries + (may_cut ? kMostCutsOfWall : 0); ++tries) {
-      if (follow(v, border, on)) {
-        if (border.size() == 3 && facets_.size() == 1) return mark(v);
-        if (!fits(v)) return false;
-        for (const Corners& facet : facets_) {
-          add_part({facet, walls_[w].front, walls_[w].behind, walls_[w].kind});
+      if (follower_.follow(v, border, on)) {
+        if (border.size() == 3 && follower_.facets().size() == 1) return mark(v);
+        if (!follower_.fits(v)) return false;
+        for (const Corners& facet : follower_.facets()) {
+          parts_.add({facet, walls_[w].front, walls_[w].behind, walls_[w].kind});
         }
         walls_[w].v[0] = kNoId;
         return true;
       }
       const bool moved =
-          tries < kMostTries && std::ranges::any_of(pierced_, [&](const Pierced& edge) {
+          tries < kMostTries && std::ranges::any_of(follower_.pierced(), [&](const Pierced& edge) {
             if (wall_edges_.has(edge.p, edge.q)) return false;
             find_ring(mesh_, edge.cell, edge.p, edge.q, ring_);
             return remove_edge(mesh_, ring_, kPositive, may_join) || shrink_ring(v);
           });
       if (moved) continue;
       VertexId x = kNoId;
-      for (std::size_t n = 0; may_cut && x == kNoId && n < pierced_.size(); ++n) {
-        x = cut_wall(v, pierced_[n]);
+      for (std::size_t n = 0; may_cut && x == kNoId && n < follower_.pierced().size(); ++n) {
+        x = cut_wall(v, follower_.pierced()[n]);
       }
       if (x == kNoId) return false;
       on.push_back(x);
@@ -507,7 +344,7 @@ class Recovery {
       const int index = corner_index(mesh_.corners(c), ring.v[i]);
       const Facet g = mesh_.mirror({c, index});
       if (g.cell == kNoId) continue;
-      if (crosses(wall, ring.v[i], mesh_.corners(g.cell)[g.index])) continue;
+      if (crosses(mesh_.points, wall, ring.v[i], mesh_.corners(g.cell)[g.index])) continue;
       if (remove_facet(mesh_, {c, index}, kPositive)) return true;
     }
     return false;
@@ -516,9 +353,10 @@ class Recovery {
   CellMesh& mesh_;
   std::vector<Wall>& walls_;
   WallEdges wall_edges_;
+  WallParts parts_;
+  WallFollower follower_;
   // Rounded edges that nearly touch may go on for ever: then another order is tried.
   std::size_t most_cuts_;
-  double largest_coordinate_;
   bool is_reversed_;
   // Of the edges or walls that moves leave, one in as many is cut before moves are tried again.
   std::size_t share_cut_;
@@ -526,9 +364,6 @@ class Recovery {
   std::deque<std::pair<VertexId, VertexId>> edges_;
   std::deque<std::size_t> missing_;
   std::map<std::size_t, std::vector<VertexId>> cuts_of_;  // a wall, inside
-  std::vector<Wall> parts_;                               // of walls that were cut
-  std::vector<Corners> facets_;                           // by follow()
-  std::vector<Pierced> pierced_;                          // by follow()
   std::vector<CellId> star_;
   Ring ring_;
 };
