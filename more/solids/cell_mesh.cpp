@@ -30,10 +30,13 @@ CellMesh::CellMesh(const Triangulation& cells, const IdArray<SiteId, VertexId>& 
   marks_.assign(cells_.size(), 0);
 }
 
-void CellMesh::set_wall(Facet f) {
-  cells_[f.cell].walls |= 1u << f.index;
-  const Facet g = mirror(f);
-  if (g.cell != kNoId) cells_[g.cell].walls |= 1u << g.index;
+void CellMesh::set_wall(Facet f, bool is_one) {
+  for (const Facet side : {f, mirror(f)}) {
+    if (side.cell == kNoId) continue;
+    const auto bit = static_cast<std::uint8_t>(1u << side.index);
+    std::uint8_t& walls = cells_[side.cell].walls;
+    walls = static_cast<std::uint8_t>(is_one ? walls | bit : walls & ~bit);
+  }
 }
 
 VertexId CellMesh::add_point(const Vec3& p) {
@@ -91,6 +94,7 @@ bool CellMesh::replace_ball(std::span<const CellId> gone, std::span<const Tetrah
   const RegionId region = cells_[gone.front()].region;
   for (CellId c : gone) {
     free_.push_back(c);
+    for (VertexId w : cells_[c].v) incident_[w] = kNoId;
     cells_[c].v[0] = kNoId;
   }
   last_created_.clear();

@@ -41,7 +41,7 @@ class CellMesh {
   RegionId region(CellId c) const { return cells_[c].region; }
   void set_region(CellId c, RegionId region) { cells_[c].region = region; }
   bool is_wall(Facet f) const { return cells_[f.cell].walls >> f.index & 1; }
-  void set_wall(Facet f);
+  void set_wall(Facet f, bool is_one = true);
 
   VertexId add_point(const Vec3& p);
   // Takes back the last point added. pre: no cell has it.

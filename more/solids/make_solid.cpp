@@ -98,7 +98,8 @@ Solid make_solid(const Skin& skin, const SolidOptions& options) {
   std::vector<Wall> walls;
   RecoveryCounts recovery;
   for (int turn = 0; turn == 0 || recovery.lost > 0; ++turn) {
-    if (turn == kRecoveryTurns) throw SkinError("it crosses itself, or nearly");
+    if (turn == kRecoveryTurns)
+      throw SkinError("it crosses itself, or has sheets a rounding apart");
     if (turn > 0) mesh = delaunay_cells(skin.points);
     walls = skin.walls;
     recovery = recover(mesh, walls, turn);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ways to change a mesh of cells by replace_ball. Each is done only if the least shape (quality.h)
-// of the new cells is over `floor`; with a floor of 0 they are positively oriented, no more.
+// of the new cells is over `floor`.
 //
 // Edge removal: the cells around an edge are replaced by two for each triangle of a triangulation
 // of their ring, the best one by dynamic programming (Shewchuk 2002, "Two discrete optimization
@@ -29,6 +29,9 @@ struct Ring {
 void find_ring(const CellMesh& mesh, CellId first, VertexId a, VertexId b, Ring& ring);
 double least_shape(const CellMesh& mesh, std::span<const CellId> cells);
 
+// Below the shape of each positively oriented cell, over that of others. The shape of a flat one
+// may be rounded to 0.
+inline constexpr double kPositive = -.5;
 inline constexpr std::size_t kMostAround = 12;  // cells around an edge that is removed
 
 // Whether an edge between two vertices of the ring may be made.

@@ -3,10 +3,10 @@
 // triangulation of a mesh of this program 94 to 100 % of them are from the start.
 //
 // A wall's edge that is missing crosses facets or edges of cells. Those are removed (moves.h) from
-// its ends on; where none can be, the edge is cut where it crosses. Then a wall that is missing,
-// though its edges are there, is crossed by edges of cells alone: they are removed, or the wall is
-// cut where one crosses. A part of a wall's edge is crossed less often than the whole, and a part
-// of a wall too, so this ends.
+// its ends on; where none can be, the edge is cut where it crosses, and what it crossed goes. A
+// wall whose edges are there is followed from its border inwards, facet by facet (follow_wall.h).
+// An edge of cells that is in the way is removed, or cut where it crosses the wall. In exact
+// arithmetic this ends (docs/guide/solids.md).
 //
 // Cuts lie on the edge or wall but for rounding. The result is embedded in any case, since walls
 // are facets of cells that are positively oriented.
