@@ -11,6 +11,20 @@
 
 namespace deliso {
 
+// Finds cells by walks, each from the last one found. Cells that are not Delaunay may lead a walk
+// in a circle, so where it begins to look changes at each step.
+class CellLocator {
+ public:
+  explicit CellLocator(const CellMesh& mesh) : mesh_(mesh) {}
+  // Returns the cell that holds p; kNoId outside the mesh, or after too many steps.
+  CellId cell_at(const Vec3& p);
+  void begin_at(CellId c) { hint_ = c; }
+
+ private:
+  const CellMesh& mesh_;
+  CellId hint_ = kNoId;
+};
+
 // Sets the regions of all cells: what lies on a side of a wall is said by the walls. Returns
 // whether they agree.
 bool set_regions(CellMesh& mesh, std::span<const Wall> walls);

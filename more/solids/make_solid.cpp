@@ -29,34 +29,6 @@ CellMesh delaunay_cells(const IdArray<VertexId, Vec3>& given) {
   return CellMesh(cells, vertex, std::move(points));
 }
 
-// Returns the corners and middles of the walls, with the mean length of the edges there.
-std::vector<SizedPoint> sized_points(const IdArray<VertexId, Vec3>& points,
-                                     std::span<const Wall> walls) {
-  IdArray<VertexId, double> sum(points.size(), 0), count(points.size(), 0);
-  for (const Wall& wall : walls) {
-    for (int i = 0; i < 3; ++i) {
-      const VertexId a = wall.v[i], b = wall.v[(i + 1) % 3];
-      for (VertexId v : {a, b}) {
-        sum[v] += distance(points[a], points[b]);
-        count[v] += 1;
-      }
-    }
-  }
-  std::vector<SizedPoint> sized;
-  for (VertexId v = 0; v < points.size(); ++v) {
-    if (count[v] > 0) sized.push_back({points[v], sum[v] / count[v]});
-  }
-  for (const Wall& wall : walls) {
-    SizedPoint middle{{}, 0};
-    for (VertexId v : wall.v) {
-      middle.p = middle.p + points[v] / 3;
-      middle.length += sum[v] / count[v] / 3;
-    }
-    sized.push_back(middle);
-  }
-  return sized;
-}
-
 // Returns the solid of the mesh's cells. Vertices of no cell and no wall are left out, but for the
 // first `given`.
 Solid solid_of(const CellMesh& mesh, std::vector<Wall> walls, std::size_t given,
@@ -106,7 +78,12 @@ Solid make_solid(const Skin& skin, const SolidOptions& options) {
   if (!set_regions(mesh, walls)) throw SkinError("it is not closed, or its sides do not agree");
   const VertexId first_inner(mesh.points.size());
   if (options.fills) {
-    insert_points(mesh, lattice_points(sized_points(mesh.points, walls), options.lattice));
+    CellLocator locator(mesh);
+    const auto is_outside = [&](const Vec3& p) {
+      const CellId c = locator.cell_at(p);
+      return c == kNoId || mesh.region(c) == kOutside;
+    };
+    insert_points(mesh, lattice_points(mesh.points, walls, options.lattice, is_outside));
   }
   mesh.remove_region(kOutside);
   if (options.fills) improve(mesh, first_inner, options.passes);
