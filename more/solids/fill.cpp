@@ -146,10 +146,10 @@ CellId CellLocator::cell_at(const Vec3& p) {
   return kNoId;
 }
 
-bool set_regions(CellMesh& mesh, std::span<const Wall> walls) {
+const Wall* set_regions(CellMesh& mesh, std::span<const Wall> walls) {
   for (CellId c = 0; c < mesh.cell_capacity(); ++c) mesh.set_region(c, kUnknown);
   std::vector<CellId> queue;
-  bool agree = true;
+  bool agree = true;  // the walls so far
   const auto reach = [&](CellId c, RegionId region) {
     if (c == kNoId) {
       agree &= region == kOutside;
@@ -162,7 +162,7 @@ bool set_regions(CellMesh& mesh, std::span<const Wall> walls) {
   };
   for (const Wall& wall : walls) {
     const auto [c, i] = mesh.facet_with(wall.v[0], wall.v[1], wall.v[2]);
-    if (c == kNoId) return false;
+    if (c == kNoId) return &wall;
     const auto& at = mesh.points;
     // A wall is counter-clockwise seen from in front.
     const bool is_in_front =
@@ -176,8 +176,9 @@ bool set_regions(CellMesh& mesh, std::span<const Wall> walls) {
         if (!mesh.is_wall({from, k})) reach(mesh.neighbor(from, k), mesh.region(from));
       }
     }
+    if (!agree) return &wall;
   }
-  return agree;
+  return nullptr;
 }
 
 std::size_t insert_points(CellMesh& mesh, std::span<const Vec3> points) {

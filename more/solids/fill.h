@@ -25,9 +25,10 @@ class CellLocator {
   CellId hint_ = kNoId;
 };
 
-// Sets the regions of all cells: what lies on a side of a wall is said by the walls. Returns
-// whether they agree.
-bool set_regions(CellMesh& mesh, std::span<const Wall> walls);
+// Sets the regions of all cells: what lies on a side of a wall is said by the walls. Returns the
+// first wall that disagrees with those before it, or with the outside of all; nullptr: there is
+// none.
+const Wall* set_regions(CellMesh& mesh, std::span<const Wall> walls);
 
 // Inserts points by Bowyer's and Watson's way, with zones that end at walls and are cut down until
 // each facet of them makes a cell of a shape over a floor. Those outside, or without such a zone,

@@ -21,7 +21,7 @@ constexpr double kSide = 1.6;
 constexpr double kLattice = .87;  // sides between the nearest points
 // A point is at least this share of the edges there from the surface.
 constexpr double kClearance = .55;
-constexpr int kMostLevels = 20;
+constexpr int kMostLevels = 30;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kHalfDiagonal = .8661;  // in sides
 
