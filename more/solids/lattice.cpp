@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 
@@ -70,11 +69,9 @@ class Octree {
     DELISO_CHECK(!surface.empty());
     Box3 box{surface.front().p, surface.front().p};
     for (const SizedPoint& s : surface) box = united(box, {s.p, s.p});
-    side_ = std::max({box.size().x, box.size().y, box.size().z});
+    const double longest = std::max({box.size().x, box.size().y, box.size().z});
     // So cubes that max_edge decides have it as their side, the longer edge of the lattice.
-    if (options_.max_edge < side_) {
-      side_ = options_.max_edge * std::exp2(std::ceil(std::log2(side_ / options_.max_edge)));
-    }
+    for (side_ = std::min(longest, options_.max_edge); side_ < longest;) side_ *= 2;
     origin_ = box.middle() - .5 * Vec3{side_, side_, side_};
     // By the surface's lengths alone cubes outside are few for each of its points, since they grow
     // away from it. Only max_edge divides them all.

@@ -23,7 +23,7 @@ double scale_of(const IdArray<VertexId, Vec3>& points) {
   for (const Vec3& p : points) {
     largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   }
-  return largest > 0 && largest < kTiny ? std::exp2(-std::ilogb(largest)) : 1;
+  return largest > 0 && largest < kTiny ? std::ldexp(1, -std::ilogb(largest)) : 1;
 }
 
 // Returns the Delaunay triangulation of the points, and of four more around them, as cells.
