@@ -2,9 +2,10 @@
 // Points to fill a solid with: corners and middles of the cubes of an octree, which where cubes are
 // equal are a body-centered cubic lattice. Its tetrahedra are the best-shaped that fill space.
 //
-// The wanted length of an edge at x is the least, over corners and middles s of the walls, of the
-// mean length of the edges there plus growth * |x - s|, but at most max_edge. Cubes outside are not
-// divided by max_edge, so the time is that of the points and of the walls.
+// Each corner and middle s of a wall has a length: the mean of the edges there. At x an edge should
+// have the least of these lengths plus growth * |x - s|, but at most max_edge. Cubes outside are not
+// divided by max_edge: the time goes with the points inside, and with the walls' area over the
+// square of max_edge.
 #pragma once
 
 #include <functional>
