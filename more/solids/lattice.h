@@ -3,8 +3,8 @@
 // equal are a body-centered cubic lattice. Its tetrahedra are the best-shaped that fill space.
 //
 // Each corner and middle s of a wall has a length: the mean of the edges there. At x an edge should
-// have the least of these lengths plus growth * |x - s|, but at most max_edge. Cubes outside are not
-// divided by max_edge: the time goes with the points inside, and with the walls' area over the
+// have the least of these lengths plus growth * |x - s|, but at most max_edge. Cubes outside are
+// not divided by max_edge: the time goes with the points inside, and with the walls' area over the
 // square of max_edge.
 #pragma once
 
