@@ -406,7 +406,8 @@ constexpr OptionSpec kRest[] = {
        if (l.solid.growth < kLeastGrowth) throw InputError(o, " must be at least ", kLeastGrowth);
      }},
     {"--max-cell", 0, "L", kSolidOnly,
-     "the longest edge of cells wanted inside, in the surface's unit (default: any)",
+     "the longest edge of the lattice inside, in the surface's unit (default: any); most edges "
+     "there are shorter, but triangles of the surface stay as long as they are",
      [](Line& l, Text o, Text v) { l.solid.max_cell = parse_positive(o, v); }},
     {"--no-fill", 0, "", kSolidOnly,
      "no points inside: cells of the surface's vertices alone, as they come",

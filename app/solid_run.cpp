@@ -12,6 +12,7 @@
 #include "base/check.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "base/triangle.h"
 #include "base/version.h"
 #include "more/solids/make_solid.h"
 
@@ -33,10 +34,27 @@ std::vector<LabeledRegion> regions_of(const LabeledSolidCheck& check) {
   return regions;
 }
 
-// Throws if --max-cell asks for more cells than there can be numbers of.
-void require_few(const CommandLine& line, double volume) {
-  constexpr double kMostCells = 4e8, kCellsOfCube = 8.5;  // regular, with edges of 1
-  const double edge = line.solid.max_cell, cells = kCellsOfCube * volume / (edge * edge * edge);
+// Throws if --max-cell asks for more cells than there can be numbers of. Notes that cells at longer
+// edges of the surface have these. pre: --max-cell is given.
+void judge_max_cell(const CommandLine& line, const ClosedSurface& surface, Diagnostics& notes) {
+  constexpr double kMostCells = 4e8, kCellsOfCube = 12;  // of a lattice with cubes of side 1
+  const double edge = line.solid.max_cell;
+  std::size_t longer = 0;
+  double longest2 = 0, area = 0;
+  for (const Wall& wall : surface.walls) {
+    const auto& p = surface.mesh.points;
+    const Vec3 &a = p[wall.v[0]], &b = p[wall.v[1]], &c = p[wall.v[2]];
+    longest2 = std::max(longest2, longest_edge2(a, b, c));
+    longer += longest_edge2(a, b, c) > edge * edge;
+    area += .5 * length(area_normal(a, b, c));
+  }
+  if (longer > 0) {
+    add_note(notes, "coarse-surface", line.meshes.front(), "edges of ", counted(longer, "triangle"),
+             " are longer than --max-cell, up to ", rounded(std::sqrt(longest2)),
+             "; cells there keep them");
+  }
+  // The cubes at the surface, some two for each square of that side, cost as much as those inside.
+  const double cells = kCellsOfCube * (surface.volume / edge + 2 * area) / (edge * edge);
   if (cells <= kMostCells) return;
   throw InputError("--max-cell ", line.solid.max_cell, ": some ",
                    grouped(static_cast<std::uint64_t>(std::min(cells, 1e18) / 1e6)),
@@ -135,7 +153,9 @@ void make_solid_of(const TriMesh& surface, const MeshNotes& notes, SolidRun& run
   if (closed.is_turned) {
     add_note(run.notes, "faces-inwards", name, "its triangles face inwards; its inside is filled");
   }
-  if (line.solid.fills) require_few(line, closed.volume);
+  if (line.solid.fills && std::isfinite(line.solid.max_cell)) {
+    judge_max_cell(line, closed, run.notes);
+  }
   run.seconds.surface = before.seconds();
 
   progress.show("solid", 0);
@@ -144,7 +164,8 @@ void make_solid_of(const TriMesh& surface, const MeshNotes& notes, SolidRun& run
   try {
     run.solid = make_solid({closed.mesh.points, std::move(closed.walls)}, options);
   } catch (const SkinError& error) {
-    throw InputError(name, ": bounds no solid: ", error.what());
+    throw InputError(name, ": bounds no solid: ", error.what(),
+                     error.at ? " at " + place_text(run.frame.to_world(*error.at)) : "");
   }
   run.seconds.solid = making.seconds();
 
@@ -179,7 +200,7 @@ void add_solid_run(ReportWriter& out, const SolidRun& run) {
   out.add("triangles", run.triangles, "of the surface, with other regions on both sides");
   out.open("options", "by what the solid was asked for");
   out.add("growth", line.solid.growth, "how much longer edges may become, by distance");
-  out.add("max_cell", line.solid.max_cell, "the longest edge wanted inside; null: any",
+  out.add("max_cell", line.solid.max_cell, "the longest edge of the lattice inside; null: any",
           Rule::nullable);
   out.add("fill", line.solid.fills, "points were added inside");
   out.close();

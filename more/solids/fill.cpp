@@ -19,15 +19,12 @@ constexpr double kLeastShape = .002;
 
 class Insertion {
  public:
-  explicit Insertion(CellMesh& mesh) : mesh_(mesh) {}
+  explicit Insertion(CellMesh& mesh) : mesh_(mesh), locator_(mesh) {}
 
   // Returns the new vertex or kNoId.
   VertexId insert(const Vec3& p) {
-    if (hint_ == kNoId || !mesh_.is_live(hint_)) find_hint();
-    const CellId start = locate(p);
-    if (start == kNoId) return kNoId;
-    hint_ = start;
-    if (mesh_.region(start) == kOutside) return kNoId;
+    const CellId start = locator_.cell_at(p);
+    if (start == kNoId || mesh_.region(start) == kOutside) return kNoId;
     find_zone(p, start);
     if (!cut_down(p, start)) return kNoId;
     created_.clear();
@@ -40,37 +37,11 @@ class Insertion {
       mesh_.drop_point();
       return kNoId;
     }
-    hint_ = mesh_.last_created().back();
+    locator_.begin_at(mesh_.last_created().back());
     return x;
   }
 
  private:
-  static constexpr int kMostSteps = 10000;
-
-  void find_hint() {
-    hint_ = 0;
-    while (!mesh_.is_live(hint_)) ++hint_;
-  }
-
-  // Returns the cell that holds p, by a walk from the last one; kNoId outside the mesh. Cells that
-  // are not Delaunay may lead it in a circle, so where it begins to look changes at each step.
-  CellId locate(const Vec3& p) const {
-    CellId c = hint_;
-    for (int step = 0; step < kMostSteps; ++step) {
-      const Tetrahedron& v = mesh_.corners(c);
-      CellId next = c;
-      for (int k = 0; k < 4 && next == c; ++k) {
-        const int i = (k + step * 7 / 3) % 4;
-        const auto& f = kFacetVertices[i];
-        const auto& at = mesh_.points;
-        if (orient3d(at[v[f[0]]], at[v[f[1]]], at[v[f[2]]], p) > 0) next = mesh_.neighbor(c, i);
-      }
-      if (next == c || next == kNoId) return next;
-      c = next;
-    }
-    return kNoId;
-  }
-
   bool is_in_zone(CellId c) const { return state_[c] == round_ + 1; }
 
   // A cell's state is round_ when it is looked at, and round_ + 1 in the zone.
@@ -142,7 +113,7 @@ class Insertion {
   }
 
   CellMesh& mesh_;
-  CellId hint_ = kNoId;
+  CellLocator locator_;
   std::vector<CellId> zone_;
   std::vector<Facet> border_;  // of the zone
   std::vector<Tetrahedron> created_;
@@ -152,10 +123,33 @@ class Insertion {
 
 }  // namespace
 
-bool set_regions(CellMesh& mesh, std::span<const Wall> walls) {
+CellId CellLocator::cell_at(const Vec3& p) {
+  constexpr int kMostSteps = 10000;
+  if (hint_ == kNoId || !mesh_.is_live(hint_)) {
+    hint_ = 0;
+    while (!mesh_.is_live(hint_)) ++hint_;
+  }
+  CellId c = hint_;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Tetrahedron& v = mesh_.corners(c);
+    CellId next = c;
+    for (int k = 0; k < 4 && next == c; ++k) {
+      const int i = (k + step * 7 / 3) % 4;
+      const auto& f = kFacetVertices[i];
+      const auto& at = mesh_.points;
+      if (orient3d(at[v[f[0]]], at[v[f[1]]], at[v[f[2]]], p) > 0) next = mesh_.neighbor(c, i);
+    }
+    if (next == kNoId) return kNoId;
+    if (next == c) return hint_ = c;
+    c = next;
+  }
+  return kNoId;
+}
+
+const Wall* set_regions(CellMesh& mesh, std::span<const Wall> walls) {
   for (CellId c = 0; c < mesh.cell_capacity(); ++c) mesh.set_region(c, kUnknown);
   std::vector<CellId> queue;
-  bool agree = true;
+  bool agree = true;  // the walls so far
   const auto reach = [&](CellId c, RegionId region) {
     if (c == kNoId) {
       agree &= region == kOutside;
@@ -168,7 +162,7 @@ bool set_regions(CellMesh& mesh, std::span<const Wall> walls) {
   };
   for (const Wall& wall : walls) {
     const auto [c, i] = mesh.facet_with(wall.v[0], wall.v[1], wall.v[2]);
-    if (c == kNoId) return false;
+    if (c == kNoId) return &wall;
     const auto& at = mesh.points;
     // A wall is counter-clockwise seen from in front.
     const bool is_in_front =
@@ -182,8 +176,9 @@ bool set_regions(CellMesh& mesh, std::span<const Wall> walls) {
         if (!mesh.is_wall({from, k})) reach(mesh.neighbor(from, k), mesh.region(from));
       }
     }
+    if (!agree) return &wall;
   }
-  return agree;
+  return nullptr;
 }
 
 std::size_t insert_points(CellMesh& mesh, std::span<const Vec3> points) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/cancel.h"
+#include "base/check.h"
 #include "more/solids/moves.h"
 #include "more/solids/quality.h"
 
@@ -47,6 +48,7 @@ class Improvement {
   double shape_of(CellId c) {
     shapes_.resize(mesh_.cell_capacity(), kUnknown);
     if (shapes_[c] == kUnknown) shapes_[c] = shape(mesh_, mesh_.corners(c));
+    DELISO_ASSERT(shapes_[c] == shape(mesh_, mesh_.corners(c)));
     return shapes_[c];
   }
   double least_of(std::span<const CellId> cells) {
@@ -104,11 +106,20 @@ class Improvement {
     return least;
   }
 
-  // Moves an inner vertex to the middle of its neighbors, part of the way, or by small steps along
-  // the axes.
   void smooth(VertexId v) {
     is_settled_.resize(mesh_.points.size(), 0);
-    if (mesh_.incident_cell(v) == kNoId || is_settled_[v]) return;
+    if (mesh_.incident_cell(v) == kNoId) return;
+    if (is_settled_[v]) {
+      DELISO_ASSERT(!move(v));
+    } else {
+      // If it does not move, nothing else comes of it before something changes there.
+      is_settled_[v] = !move(v);
+    }
+  }
+
+  // Moves an inner vertex to the middle of its neighbors, part of the way, or by small steps along
+  // the axes. Returns whether it did.
+  bool move(VertexId v) {
     mesh_.cells_at(v, star_);
     const Vec3 old = mesh_.points[v];
     Vec3 middle;
@@ -140,9 +151,9 @@ class Improvement {
         }
       }
     }
-    if (mesh_.points[v] != old) forget(star_);
-    // Nothing else comes of it before something changes there.
-    is_settled_[v] = mesh_.points[v] == old;
+    const bool has_moved = mesh_.points[v] != old;
+    if (has_moved) forget(star_);
+    return has_moved;
   }
 
   // Puts w in the place of the inner vertex v.

@@ -2,31 +2,34 @@
 // Points to fill a solid with: corners and middles of the cubes of an octree, which where cubes are
 // equal are a body-centered cubic lattice. Its tetrahedra are the best-shaped that fill space.
 //
-// The wanted length of an edge at x is the least, over points s of the surface, of their length
-// plus growth * |x - s|, but at most max_edge.
+// Each corner and middle s of a wall has a length: the mean of the edges there. At x an edge should
+// have the least of these lengths plus growth * |x - s|, but at most max_edge. Cubes outside are
+// not divided by max_edge: the time goes with the points inside, and with the walls' area over the
+// square of max_edge.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "base/ids.h"
 #include "base/vec3.h"
+#include "more/solids/skin.h"
 
 namespace deliso {
-
-// A point of the surface, and the length of edges there.
-struct SizedPoint {
-  Vec3 p;
-  double length;
-};
 
 struct LatticeOptions {
   double growth = .35;
   double max_edge = std::numeric_limits<double>::infinity();
 };
 
-// Returns the points in a box around the surface, without those too near to it.
-std::vector<Vec3> lattice_points(std::span<const SizedPoint> surface,
-                                 const LatticeOptions& options);
+// Whether a point lies outside the solid.
+using IsOutside = std::function<bool(const Vec3&)>;
+
+// Returns the points inside, and others around, without those too near to the walls' corners and
+// middles.
+std::vector<Vec3> lattice_points(const IdArray<VertexId, Vec3>& points, std::span<const Wall> walls,
+                                 const LatticeOptions& options, const IsOutside& is_outside);
 
 }  // namespace deliso

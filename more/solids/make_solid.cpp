@@ -2,6 +2,7 @@
 #include "more/solids/make_solid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/box3.h"
@@ -14,10 +15,22 @@
 namespace deliso {
 namespace {
 
+// Returns the power of two that brings tiny points to a size at which insphere() does not
+// underflow. It changes no bit but those of the exponents.
+double scale_of(const IdArray<VertexId, Vec3>& points) {
+  constexpr double kTiny = 1e-30;
+  double largest = 0;
+  for (const Vec3& p : points) {
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  }
+  return largest > 0 && largest < kTiny ? std::ldexp(1, -std::ilogb(largest)) : 1;
+}
+
 // Returns the Delaunay triangulation of the points, and of four more around them, as cells.
-CellMesh delaunay_cells(const IdArray<VertexId, Vec3>& given) {
+CellMesh delaunay_cells(const IdArray<VertexId, Vec3>& given, double scale) {
   IdArray<VertexId, Vec3> points = given;
-  append_auxiliary(box_of(given), points);
+  for (Vec3& p : points) p = scale * p;
+  append_auxiliary(box_of(points), points);
   Triangulation cells;
   std::vector<SiteId> sites;
   if (!cells.build(points, sites)) throw SkinError("its points lie in one plane");
@@ -27,34 +40,6 @@ CellMesh delaunay_cells(const IdArray<VertexId, Vec3>& given) {
     vertex[sites[v]] = v;
   }
   return CellMesh(cells, vertex, std::move(points));
-}
-
-// Returns the corners and middles of the walls, with the mean length of the edges there.
-std::vector<SizedPoint> sized_points(const IdArray<VertexId, Vec3>& points,
-                                     std::span<const Wall> walls) {
-  IdArray<VertexId, double> sum(points.size(), 0), count(points.size(), 0);
-  for (const Wall& wall : walls) {
-    for (int i = 0; i < 3; ++i) {
-      const VertexId a = wall.v[i], b = wall.v[(i + 1) % 3];
-      for (VertexId v : {a, b}) {
-        sum[v] += distance(points[a], points[b]);
-        count[v] += 1;
-      }
-    }
-  }
-  std::vector<SizedPoint> sized;
-  for (VertexId v = 0; v < points.size(); ++v) {
-    if (count[v] > 0) sized.push_back({points[v], sum[v] / count[v]});
-  }
-  for (const Wall& wall : walls) {
-    SizedPoint middle{{}, 0};
-    for (VertexId v : wall.v) {
-      middle.p = middle.p + points[v] / 3;
-      middle.length += sum[v] / count[v] / 3;
-    }
-    sized.push_back(middle);
-  }
-  return sized;
 }
 
 // Returns the solid of the mesh's cells. Vertices of no cell and no wall are left out, but for the
@@ -94,24 +79,38 @@ Solid solid_of(const CellMesh& mesh, std::vector<Wall> walls, std::size_t given,
 }  // namespace
 
 Solid make_solid(const Skin& skin, const SolidOptions& options) {
-  CellMesh mesh = delaunay_cells(skin.points);
+  const double scale = scale_of(skin.points);
+  CellMesh mesh = delaunay_cells(skin.points, scale);
   std::vector<Wall> walls;
   RecoveryCounts recovery;
   for (int turn = 0; turn == 0 || recovery.lost > 0; ++turn) {
     if (turn == kRecoveryTurns)
       throw SkinError("it crosses itself, or has sheets a rounding apart");
-    if (turn > 0) mesh = delaunay_cells(skin.points);
+    if (turn > 0) mesh = delaunay_cells(skin.points, scale);
     walls = skin.walls;
     recovery = recover(mesh, walls, turn);
   }
-  if (!set_regions(mesh, walls)) throw SkinError("it is not closed, or its sides do not agree");
+  if (const Wall* wall = set_regions(mesh, walls)) {
+    const auto& [a, b, c] = wall->v;
+    throw SkinError(
+        "it is not closed, or its components do not agree on what is inside; one of them has the "
+        "triangle",
+        (mesh.points[a] + mesh.points[b] + mesh.points[c]) / (3 * scale));
+  }
   const VertexId first_inner(mesh.points.size());
   if (options.fills) {
-    insert_points(mesh, lattice_points(sized_points(mesh.points, walls), options.lattice));
+    CellLocator locator(mesh);
+    const auto is_outside = [&](const Vec3& p) {
+      const CellId c = locator.cell_at(p);
+      return c == kNoId || mesh.region(c) == kOutside;
+    };
+    const LatticeOptions lattice{options.lattice.growth, scale * options.lattice.max_edge};
+    insert_points(mesh, lattice_points(mesh.points, walls, lattice, is_outside));
   }
   mesh.remove_region(kOutside);
   if (options.fills) improve(mesh, first_inner, options.passes);
   Solid solid = solid_of(mesh, std::move(walls), skin.points.size(), first_inner);
+  for (Vec3& p : solid.points) p = p / scale;
   solid.recovery = recovery;
   return solid;
 }

@@ -10,6 +10,7 @@
 // nothing is to be repaired at the end.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 
 #include "more/solids/lattice.h"
@@ -24,8 +25,10 @@ struct SolidOptions {
 };
 
 // Throws SkinError where `skin` is no skin: walls cross, or regions do not follow each other.
-class SkinError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct SkinError : std::runtime_error {
+  explicit SkinError(const char* what, std::optional<Vec3> place = {})
+      : std::runtime_error(what), at(place) {}
+  std::optional<Vec3> at;
 };
 Solid make_solid(const Skin& skin, const SolidOptions& options);
 

@@ -31,6 +31,7 @@ inline constexpr std::string_view kCodes[] = {
     "axis-without-direction",
     "bytes-after-samples",
     "channels-as-slices",
+    "coarse-surface",
     "coordinates-given",
     "copies-left-out",
     "count-missed",

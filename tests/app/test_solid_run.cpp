@@ -158,7 +158,15 @@ TEST_CASE("cubes that touch, and one with a cavity, are filled") {
     add(cube(.25, .25, .5, 8, false));
     Made made;
     make(made, folder.write("nested.off", off(points, triangles)));
-    CHECK(made.refusal.find("bounds no solid") != std::string::npos);
+    CHECK(made.refusal.ends_with(
+        "nested.off: bounds no solid: it is not closed, or its components do not agree on what is "
+        "inside; one of them has the triangle at (0.5833333 0.4166667 0.25)"));
+  }
+  SUBCASE("two apart, one turned") {
+    add(cube(4, 0, 2, 8, true));
+    Made made;
+    make(made, folder.write("apart.off", off(points, triangles)));
+    CHECK(made.refusal.ends_with("has the triangle at (0.6666667 0.3333333 0)"));
   }
 }
 
@@ -253,6 +261,9 @@ TEST_CASE("a shorter --max-cell and a smaller --growth give more cells; --no-fil
     const bool has_inner = made.run.solid.points.size() > made.run.solid.skin_points;
     CHECK(has_inner == made.line.solid.fills);
     if (has_inner) cells.push_back(made.run.solid.cells.size());
+    const bool is_short = std::string(options) == " --max-cell .8";
+    REQUIRE(made.run.notes.size() == (is_short ? 1 : 0));
+    if (is_short) CHECK(made.run.notes[0].code.name() == "coarse-surface");
   }
   CHECK(std::ranges::is_sorted(cells));
   CHECK(std::ranges::adjacent_find(cells) == cells.end());

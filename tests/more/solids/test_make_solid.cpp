@@ -164,6 +164,21 @@ TEST_CASE("the same skin gives the same solid, and a wall's kind is that of its 
   }
 }
 
+TEST_CASE("a tiny skin gives the solid of a large one, bit by bit") {
+  Random random(5);
+  const Skin skin = cubes_skin(
+      3, [](int i, int j, int k) { return static_cast<RegionId>((i + j * k) % 3); }, random);
+  const double scale = std::ldexp(1, -260);  // 1e-78: insphere() underflows
+  Skin tiny = skin;
+  for (Vec3& p : tiny.points) p = scale * p;
+  SolidOptions options, tiny_options;
+  options.lattice.max_edge = .7;
+  tiny_options.lattice.max_edge = scale * .7;
+  Solid solid = make_solid(skin, options);
+  for (Vec3& p : solid.points) p = scale * p;
+  CHECK(same_solid(make_solid(tiny, tiny_options), solid));
+}
+
 TEST_CASE("lengths of edges: the largest, and the growth inwards") {
   Random random(3);
   const Skin skin = cubes_skin(
