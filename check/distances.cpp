@@ -251,10 +251,15 @@ double distance_off_surface(const Vec3& p, const Isosurface& surface, double tol
       (difference <= 1e-9 * (*most - *least) || difference <= tolerance * length(gradient))) {
     return 0;
   }
+  Vec3 in_face = gradient;  // the other may lead out of the box
+  for (int axis = 0; axis < 3; ++axis) {
+    if (inside[axis] == box.lo[axis] || inside[axis] == box.hi[axis]) in_face[axis] = 0;
+  }
   SearchCounters counters;
   const PatchAt patch(surface, inside);
   double d = limit;
-  for (const Vec3& direction : {gradient, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+  for (const Vec3& direction : {gradient, in_face, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+    if (!(length2(direction) > 0)) continue;
     d = std::min(d, outside + std::fabs(patch.parameter_along(direction, d, counters)));
   }
   return d <= tolerance ? 0 : d;

@@ -76,10 +76,11 @@ BoundaryDistances boundary_distances(const CleanMesh& mesh, const Isosurface& su
                                      const Criteria& limits);
 
 // Returns 0 if p is on Sigma. That is so if a point of Sigma is within `tolerance` of p, on the
-// lines through p along the gradient and the axes. It is also so if g is as near to kappa as at the
-// oracle's own points (1e-9 of the range of the voxel's samples). Otherwise returns the distance to
-// the nearest point of Sigma on these lines within `limit`, or `limit`. Lines of a point outside
-// the box go through the nearest point of the box, and the way there counts.
+// lines through p along the gradient, the gradient in the box's faces at p, and the axes. It is
+// also so if g is as near to kappa as at the oracle's own points (1e-9 of the range of the voxel's
+// samples). Otherwise returns the distance to the nearest point of Sigma on these lines within
+// `limit`, or `limit`. Lines of a point outside the box go through the nearest point of the box,
+// and the way there counts.
 double distance_off_surface(const Vec3& p, const Isosurface& surface, double tolerance,
                             double limit);
 
