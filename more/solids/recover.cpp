@@ -27,6 +27,10 @@ struct Crossing {
   int edge = -1;
 };
 
+// The first two attempts make no flatter cells, which no solver can use: BABY at 112.2 had one of
+// 4e-17.
+constexpr double kNotFlat = 1e-7;
+
 class Recovery {
  public:
   Recovery(CellMesh& mesh, std::vector<Wall>& walls, int turn)
@@ -37,7 +41,8 @@ class Recovery {
         follower_(mesh, parts_),
         most_cuts_(1000 + walls.size()),
         is_reversed_(turn % 2 == 1),
-        share_cut_(turn < 2 ? 8 : 64) {}
+        share_cut_(turn < 2 ? 8 : 64),
+        floor_(turn < 2 ? kNotFlat : kPositive) {}
 
   RecoveryCounts run() {
     for (std::size_t w = 0; w < walls_.size(); ++w) {
@@ -126,7 +131,7 @@ class Recovery {
   bool remove_between(VertexId u, VertexId w) {
     if (wall_edges_.has(u, w)) return false;
     find_ring(mesh_, mesh_.cell_with(u, w), u, w, ring_);
-    return !ring_.has_wall && remove_edge(mesh_, ring_, kPositive);
+    return !ring_.has_wall && remove_edge(mesh_, ring_, floor_);
   }
 
   // Removes what the edge from a to b crosses first, or something beside it. Returns whether it
@@ -137,7 +142,7 @@ class Recovery {
     const Facet f = crossing->facet;
     const auto v = mesh_.corners(f);
     if (crossing->edge >= 0) return remove_between(v[crossing->edge], v[(crossing->edge + 1) % 3]);
-    if (remove_facet(mesh_, f, kPositive)) return true;
+    if (remove_facet(mesh_, f, floor_)) return true;
     for (int k = 0; k < 3; ++k) {
       if (remove_between(v[k], v[(k + 1) % 3])) return true;
     }
@@ -197,7 +202,7 @@ class Recovery {
         zone.push_back(n);
       }
     }
-    return keeps_edges(zone) ? star_from(mesh_, p, zone, kPositive) : VertexId(kNoId);
+    return keeps_edges(zone) ? star_from(mesh_, p, zone, floor_) : VertexId(kNoId);
   }
 
   bool sees(const Vec3& p, Facet f, double hardly) const {
@@ -304,7 +309,7 @@ class Recovery {
           tries < kMostTries && std::ranges::any_of(follower_.pierced(), [&](const Pierced& edge) {
             if (wall_edges_.has(edge.p, edge.q)) return false;
             find_ring(mesh_, edge.cell, edge.p, edge.q, ring_);
-            return remove_edge(mesh_, ring_, kPositive, may_join) || shrink_ring(v);
+            return remove_edge(mesh_, ring_, floor_, may_join) || shrink_ring(v);
           });
       if (moved) continue;
       VertexId x = kNoId;
@@ -345,7 +350,7 @@ class Recovery {
       const Facet g = mesh_.mirror({c, index});
       if (g.cell == kNoId) continue;
       if (crosses(mesh_.points, wall, ring.v[i], mesh_.corners(g.cell)[g.index])) continue;
-      if (remove_facet(mesh_, {c, index}, kPositive)) return true;
+      if (remove_facet(mesh_, {c, index}, floor_)) return true;
     }
     return false;
   }
@@ -360,6 +365,7 @@ class Recovery {
   bool is_reversed_;
   // Of the edges or walls that moves leave, one in as many is cut before moves are tried again.
   std::size_t share_cut_;
+  const double floor_;  // of the shapes of new cells
   RecoveryCounts counts_;
   std::deque<std::pair<VertexId, VertexId>> edges_;
   std::deque<std::size_t> missing_;
