@@ -255,6 +255,7 @@ double distance_off_surface(const Vec3& p, const Isosurface& surface, double tol
   for (int axis = 0; axis < 3; ++axis) {
     if (inside[axis] == box.lo[axis] || inside[axis] == box.hi[axis]) in_face[axis] = 0;
   }
+  if (in_face == gradient) in_face = {};
   SearchCounters counters;
   const PatchAt patch(surface, inside);
   double d = limit;
